@@ -1,0 +1,109 @@
+// LitScene: a scene with its lights, and the integrals that make a picture of it.
+//
+//   intersect, visible, lights, maxBounces   what the scene can tell           (given)
+//   renderPixel                              the mean over a pixel's rays      (part 1)
+//   directLighting                           light that comes from the lights  (part 2)
+//   tracePath                                light that comes along a path     (part 5)
+//   RussianRoulette                          when to end a path                (part 6)
+//
+//   Hit     where a ray meets a surface      Light   a shape that emits
+#pragma once
+
+#include <pathmark/brdf.h>
+#include <pathmark/camera.h>
+#include <pathmark/sampler.h>
+#include <pathmark/shapes.h>
+#include <pathmark/types.h>
+
+#include <span>
+
+namespace pathmark {
+
+class SceneCore;
+
+// A point of a surface.
+struct Hit {
+  Point p{0.0f};
+  Vector n{0.0f, 1.0f, 0.0f};  // unit geometric normal of the front, never flipped
+  const BRDF* brdf = nullptr;  // never null after LitScene::intersect has returned true
+  Colour emission{0.0f};       // radiance that the front emits, the same in all directions
+  float error = 0.0f;          // bound on the rounding error of p, a length
+
+  // Radiance emitted towards wo: `emission` from the front, 0 from the back.
+  Colour emitted(const Vector& wo) const { return dot(wo, n) > 0.0f ? emission : Colour(0.0f); }
+
+  // The ray that leaves the surface here towards wi. Its origin is moved off the surface by a
+  // little more than the rounding error of p (Waechter & Binder, Ray Tracing Gems, chapter 6),
+  // so that it does not meet the same surface again: no epsilon is needed anywhere else.
+  Ray spawnRay(const Vector& wi) const;
+};
+
+class Light {
+ public:
+  // Radiance that leaves the front of the light, the same at all its points in all directions.
+  const Colour& emission() const { return emission_; }
+
+  // A point of the light chosen for lighting the point `from`, by the function of part 2 that
+  // belongs to its shape; n is the normal of the emitting side; density per unit area. The
+  // density 0 says that the light sends nothing to `from` by this sample.
+  LightSample sample(const Point& from, float s, float t) const;
+
+  struct Face {
+    Polygon polygon;
+    float cumulativeArea;  // share of the light's area in this face and those before it, (0,1]
+  };
+
+  Light(std::span<const Face> faces, const Colour& emission)
+      : faces_(faces), sphere_(Point(0.0f), 0.0f), emission_(emission) {}
+  Light(const Sphere& sphere, bool inward, const Colour& emission)
+      : sphere_(sphere), inward_(inward), emission_(emission) {}
+
+ private:
+  std::span<const Face> faces_;  // empty for a sphere
+  Sphere sphere_;
+  bool inward_ = false;
+  Colour emission_;
+};
+
+class LitScene {
+ public:
+  LitScene(const SceneCore& core, int maxBounces) : core_(&core), maxBounces_(maxBounces) {}
+
+  // The nearest surface along the ray: returns whether there is one, and then sets `hit`.
+  bool intersect(const Ray& ray, Hit& hit) const;
+
+  // Whether nothing lies between `from` and the point `to` of a light.
+  bool visible(const Hit& from, const LightSample& to) const;
+
+  std::span<const Light> lights() const;
+
+  // The largest number of scattering events on a path, B >= 0: with 0 only the light that comes
+  // straight from a light is seen, with 1 direct light, with 8 direct light and seven bounces.
+  int maxBounces() const { return maxBounces_; }
+
+  // Part 1. The mean radiance of exactly nRaysPerPixel rays through pixel (i, j), column i and
+  // row j: with n = floor(sqrt(nRaysPerPixel)), one ray in each of the n x n strata and the rest
+  // anywhere in the pixel. Calls sampler.startRay(m) before the m-th ray, m = 0, 1, 2, ...
+  Colour renderPixel(int i, int j, const SimpleCamera& camera, int nRaysPerPixel,
+                     Sampler& sampler) const;
+
+  // Part 2. The radiance that leaves `hit` towards wo after exactly one scattering event: the sum
+  // over the lights of an estimate of the integral of Le f V G over the light's area, with
+  // G = cos(theta_x) cos(theta_y) / r^2.
+  Colour directLighting(const Hit& hit, const Vector& wo, Sampler& sampler) const;
+
+  // Part 5. The radiance that comes back along a camera ray: an unbiased estimate, with one
+  // path, of all light with at most maxBounces() scattering events.
+  Colour tracePath(const Ray& ray, Sampler& sampler) const;
+
+  // Part 6. Whether a path with this throughput goes on after its `depth`-th scattering event
+  // (depth = 1, 2, ...): it survives with a probability q that may depend on both, then its
+  // weight is 1/q. u in [0,1).
+  Roulette RussianRoulette(const Colour& throughput, int depth, float u) const;
+
+ private:
+  const SceneCore* core_;
+  int maxBounces_;
+};
+
+}  // namespace pathmark

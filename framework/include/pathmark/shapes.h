@@ -1,0 +1,80 @@
+// Shapes that can be lights.
+//
+//   Polygon   TriangularSampling, RectangularSampling, PolygonSampling   (part 2)
+//   Sphere    sample, pdf                                                (part 2)
+//
+// All densities are per unit area. A polygon's front is the side from which its vertices run
+// counter-clockwise; a sphere's normal points outwards.
+#pragma once
+
+#include <pathmark/types.h>
+
+#include <array>
+#include <span>
+
+namespace pathmark {
+
+// A simple planar polygon, convex or not, with at least three vertices. The vertices and the
+// triangulation belong to the scene; a Polygon only looks at them.
+class Polygon {
+ public:
+  using TriangleIndices = std::array<unsigned, 3>;
+
+  Polygon(std::span<const Point> vertices, std::span<const TriangleIndices> triangles,
+          const Vector& normal)
+      : vertices_(vertices), triangles_(triangles), normal_(normal) {}
+
+  int vertexCount() const { return static_cast<int>(vertices_.size()); }
+  const Point& p(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
+
+  // Unit normal of the front.
+  const Vector& normal() const { return normal_; }
+
+  // Triangles that cover the polygon exactly once, each with the polygon's orientation.
+  int triangleCount() const { return static_cast<int>(triangles_.size()); }
+  std::array<Point, 3> triangle(int k) const {
+    const TriangleIndices& t = triangles_[static_cast<std::size_t>(k)];
+    return {vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]};
+  }
+
+  // Part 2. A point uniform by area on the triangle p0 p1 p2 (the first three vertices), and its
+  // density 2 / |(p1 - p0) x (p2 - p0)|. Shirley, Wang & Zimmerman 1996, section 3.3.
+  LightSample TriangularSampling(float s, float t) const;
+
+  // Part 2. The point p0 + s v1 + t v2 of the parallelogram with edges v1 = p1 - p0 and
+  // v2 = p3 - p0 (p2 - p1 for the fourth side), and its density 1 / |v1 x v2|. Ibid.
+  LightSample RectangularSampling(float s, float t) const;
+
+  // Part 2. A point uniform by area on the whole polygon, and its density 1 / area.
+  LightSample PolygonSampling(float s, float t) const;
+
+ private:
+  std::span<const Point> vertices_;
+  std::span<const TriangleIndices> triangles_;
+  Vector normal_;
+};
+
+class Sphere {
+ public:
+  Sphere(const Point& centre, float radius) : centre_(centre), radius_(radius) {}
+
+  const Point& centre() const { return centre_; }
+  float radius() const { return radius_; }
+
+  // Part 2. A point of the sphere that `from` can see, uniform over the solid angle that the
+  // sphere fills as seen from there; `n` is the outward normal; density per unit area
+  //   cos(theta') / (2 pi |x' - x|^2 (1 - sqrt(1 - (r / |x - c|)^2))).
+  // Shirley, Wang & Zimmerman 1996, section 3.2. With `from` inside or on the sphere: uniform
+  // over its whole area, density 1 / (4 pi r^2).
+  LightSample sample(const Point& from, float s, float t) const;
+
+  // Part 2. The density with which `sample(from, ...)` returns the point p with outward normal n;
+  // 0 where it never does. p = c + r n up to rounding.
+  float pdf(const Point& from, const Point& p, const Vector& n) const;
+
+ private:
+  Point centre_;
+  float radius_;
+};
+
+}  // namespace pathmark

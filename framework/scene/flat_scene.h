@@ -1,0 +1,107 @@
+// The scene as the host hands it to a worker: plain arrays in one block of memory.
+//
+//   FlatScene       the arrays, owned; made by the host from a checked and normalised scene
+//   FlatSceneView   the same arrays in a block of memory, not owned; what a worker reads
+//   packScene       FlatScene -> block;  viewScene: block -> FlatSceneView
+//
+// Lengths are in the normalised coordinates of the scene (see normalise.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pathmark {
+
+using Float3 = std::array<float, 3>;
+
+enum class FlatMaterialKind : std::uint32_t { kLambertian = 0, kPhong = 1 };
+
+struct FlatMaterial {
+  FlatMaterialKind kind = FlatMaterialKind::kLambertian;
+  Float3 kd{};
+  Float3 ks{};
+  float exponent = 0.0f;
+};
+
+// What all primitives of one shape of the scene file have in common.
+struct FlatShape {
+  std::uint32_t material = 0;
+  std::uint32_t frontOnly = 0;  // 1: rays pass through its back
+  Float3 emission{};            // of the front
+};
+
+struct FlatTriangle {
+  std::array<Float3, 3> p{};
+  Float3 normal{};  // unit, of the front
+  std::uint32_t shape = 0;
+};
+
+struct FlatSphere {
+  Float3 centre{};
+  float radius = 1.0f;
+  std::uint32_t shape = 0;
+  std::uint32_t inward = 0;  // 1: the front is the inside
+};
+
+// A face of a light; its vertices and triangles are ranges of lightVertices and lightTriangles,
+// the triangles' indices counting from its first vertex.
+struct FlatFace {
+  std::uint32_t firstVertex = 0, vertexCount = 0;
+  std::uint32_t firstTriangle = 0, triangleCount = 0;
+  Float3 normal{};
+  float cumulativeArea = 1.0f;  // share of the light's area up to and including this face
+};
+
+// A light is a sphere, or a range of faces among which a point is chosen by area.
+struct FlatLight {
+  static constexpr std::uint32_t kNoSphere = 0xffffffffu;
+  std::uint32_t sphere = kNoSphere;
+  std::uint32_t firstFace = 0, faceCount = 0;
+  Float3 emission{};
+};
+
+struct FlatCamera {
+  Float3 eye{};
+  Float3 topLeft{};     // from the eye to the film's top left corner
+  Float3 pixelRight{};  // from one pixel to the next in its row
+  Float3 pixelDown{};   // from one pixel to the next in its column
+  std::uint32_t width = 1, height = 1;
+};
+
+struct FlatScene {
+  FlatCamera camera;
+  std::uint32_t maxBounces = 8;
+  std::vector<FlatMaterial> materials;
+  std::vector<FlatShape> shapes;
+  std::vector<FlatTriangle> triangles;
+  std::vector<FlatSphere> spheres;
+  std::vector<FlatLight> lights;
+  std::vector<FlatFace> faces;
+  std::vector<Float3> lightVertices;
+  std::vector<std::array<std::uint32_t, 3>> lightTriangles;
+};
+
+struct FlatSceneView {
+  FlatCamera camera;
+  std::uint32_t maxBounces = 8;
+  std::span<const FlatMaterial> materials;
+  std::span<const FlatShape> shapes;
+  std::span<const FlatTriangle> triangles;
+  std::span<const FlatSphere> spheres;
+  std::span<const FlatLight> lights;
+  std::span<const FlatFace> faces;
+  std::span<const Float3> lightVertices;
+  std::span<const std::array<std::uint32_t, 3>> lightTriangles;
+};
+
+std::vector<std::byte> packScene(const FlatScene& scene);
+
+// The block must be aligned to 16 bytes and must outlive the view. Returns nothing if the block
+// is too short for what its header says or was written by another version.
+std::optional<FlatSceneView> viewScene(std::span<const std::byte> block);
+
+}  // namespace pathmark

@@ -1,0 +1,48 @@
+// loadScene: a scene file, checked, normalised and flattened for a worker.
+//
+//   LoadedScene   what a render needs to know of a scene
+//   SceneError    one sentence for a person: file, JSON pointer, what was found, what is allowed
+#pragma once
+
+#include "scene/flat_scene.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pathmark {
+
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Maps the scene file's coordinates to the worker's: normalised = scale * (file - shift).
+struct Normalisation {
+  std::array<double, 3> shift{0.0, 0.0, 0.0};
+  double scale = 1.0;  // a power of two
+};
+
+struct LoadedScene {
+  FlatScene flat;
+  Normalisation normalisation;
+  std::string name;     // the file's name without folder and ending
+  std::string caption;  // may be empty
+  double exposure = 1.0;   // factor on linear radiance for display only
+  int raysPerPixel = 64;   // default for renders
+  std::vector<std::string> notes;  // sentences about what was dropped or changed while loading
+};
+
+// What the command line may say instead of the scene file.
+struct SceneOverrides {
+  std::optional<std::array<int, 2>> size;  // width, height; the vertical field of view stays
+  std::optional<int> maxBounces;
+};
+
+// Throws SceneError.
+LoadedScene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+
+}  // namespace pathmark
