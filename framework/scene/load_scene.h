@@ -29,17 +29,17 @@ struct Normalisation {
 struct LoadedScene {
   FlatScene flat;
   Normalisation normalisation;
-  std::string name;     // the file's name without folder and ending
-  std::string caption;  // may be empty
-  double exposure = 1.0;   // factor on linear radiance for display only
-  int raysPerPixel = 64;   // default for renders
+  std::string name;                // the file's name without folder and ending
+  std::string caption;             // may be empty
+  double exposure = 1.0;           // factor on linear radiance for display only
+  int raysPerPixel = 64;           // default for renders
   std::vector<std::string> notes;  // sentences about what was dropped or changed while loading
 };
 
 // What the command line may say instead of the scene file.
 struct SceneOverrides {
-  std::optional<std::array<int, 2>> size;  // width, height; the vertical field of view stays
-  std::optional<int> maxBounces;
+  std::optional<std::array<int, 2>> size{};  // width, height; the vertical field of view stays
+  std::optional<int> maxBounces{};
 };
 
 // Throws SceneError.

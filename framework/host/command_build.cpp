@@ -1,0 +1,56 @@
+// pathmark build: compiles coursework to a worker.
+#include "host/build_config.h"
+#include "host/commands.h"
+#include "host/exit_code.h"
+#include "host/session.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace pathmark {
+
+namespace {
+
+int buildAll(const std::vector<std::string>& folders) {
+  int code = kSuccess;
+  for (const std::string& with : folders) {
+    try {
+      const Coursework coursework = prepareCoursework(with);
+      fmt::print("{}: compiled\n", coursework.name);
+    } catch (const CourseworkError& e) {
+      fmt::print(stderr, "{}\n", e.what());
+      code = kCourseworkFault;
+    }
+  }
+  return code;
+}
+
+}  // namespace
+
+void addBuildCommand(CLI::App& app, CommandAction& action) {
+  const auto folders = std::make_shared<std::vector<std::string>>();
+  CLI::App* command =
+      app.add_subcommand("build", "Build the program, and compile coursework with it");
+  command->add_option("--with", *folders,
+                      "Coursework to compile: student, solutions, or folders (default: student, "
+                      "and solutions if they are there)");
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark build\n"
+      "  ./pathmark build --with student");
+  command->callback([folders, &action] {
+    action = [folders] {
+      if (folders->empty()) {
+        folders->push_back("student");
+        if (std::filesystem::exists(std::filesystem::path(build::kProjectFolder) / "solutions"))
+          folders->push_back("solutions");
+      }
+      return buildAll(*folders);
+    };
+  });
+}
+
+}  // namespace pathmark

@@ -1,0 +1,96 @@
+// pathmark demo: the main job on real input, and a table of what it did.
+#include "film/image.h"
+#include "host/build_config.h"
+#include "host/commands.h"
+#include "host/exit_code.h"
+#include "host/interrupt.h"
+#include "host/session.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kScenes[] = {"ucl_rectangle", "cornell_box"};
+
+int renderAndPrint(const Coursework& coursework, const std::string& name, std::uint64_t rays,
+                   const fs::path& folder) {
+  const LoadedScene scene = loadScene(findScene(name));
+  RenderRequestOptions options;
+  options.raysPerPixel = rays;
+  const RenderOutcome outcome = renderScene(coursework, scene, options);
+  const RenderedImage& rendered = outcome.rendered;
+  const fs::path file = folder / fmt::format("{}_{}.png", name, coursework.name);
+  writeImage(file, rendered.image, scene.exposure);
+  fmt::print("{:<14} {:<10} {:>14} {:>8.2f} {:>8.1f}   {}\n", name, coursework.name,
+             rendered.raysPerPixel, rendered.seconds,
+             static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6,
+             fmt::format("{} of {}", outcome.stubs.unwritten.size(), contract().size()));
+  std::fflush(stdout);
+  if (const std::string sentence = invalidSentence(rendered, false); !sentence.empty()) {
+    fmt::print(stderr, "{}\n", sentence);
+    return kCourseworkFault;
+  }
+  return rendered.complete ? kSuccess : kInterrupted;
+}
+
+// One coursework's rows. A coursework that fails costs its own rows only.
+int demoCoursework(const std::string& with, std::uint64_t rays, const fs::path& folder) {
+  try {
+    const Coursework coursework = prepareCoursework(with);
+    int code = kSuccess;
+    for (const char* scene : kScenes) {
+      code = std::max(code, renderAndPrint(coursework, scene, rays, folder));
+      if (code == kInterrupted) break;
+    }
+    return code;
+  } catch (const CourseworkError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+  } catch (const WorkerError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+  }
+  return kCourseworkFault;
+}
+
+int demo(std::uint64_t rays) {
+  const fs::path folder = fs::path(build::kBuildFolder) / "pictures";
+  fs::create_directories(folder);
+  fmt::print("{:<14} {:<10} {:>14} {:>8} {:>8}   {}\n", "scene", "coursework", "rays per pixel",
+             "seconds", "Mrays/s", "stubs not yet written");
+  std::fflush(stdout);
+  int code = kSuccess;
+  for (const char* with : {"student", "solutions"}) {
+    if (!fs::exists(fs::path(build::kProjectFolder) / with)) continue;
+    code = std::max(code, demoCoursework(with, rays, folder));
+    if (code == kInterrupted) return code;
+  }
+  fmt::print("\nThe pictures are in {}\n", fs::proximate(folder).string());
+  if (code == kSuccess) fmt::print("Next: ./pathmark status says where to begin.\n");
+  return code;
+}
+
+}  // namespace
+
+void addDemoCommand(CLI::App& app, CommandAction& action) {
+  const auto rays = std::make_shared<std::uint64_t>(64);
+  CLI::App* command = app.add_subcommand(
+      "demo", "Install what is missing, build, and render two scenes with both courseworks");
+  command
+      ->add_option("--rays-per-pixel", *rays, "Rays through each pixel (default: 64)")
+      ->check(CLI::Range(1, 1000000000));
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark demo\n"
+      "  ./pathmark demo --yes                    (install missing packages without asking)\n"
+      "  ./pathmark demo --rays-per-pixel 256");
+  command->callback([rays, &action] { action = [rays] { return demo(*rays); }; });
+}
+
+}  // namespace pathmark

@@ -1,0 +1,128 @@
+// pathmark render: one picture of one scene.
+#include "film/image.h"
+#include "host/commands.h"
+#include "host/exit_code.h"
+#include "host/interrupt.h"
+#include "host/session.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+
+namespace pathmark {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderArguments {
+  std::string scene;
+  std::string with = "student";
+  std::string size;
+  std::string output;
+  std::int64_t raysPerPixel = 0;  // 0: the scene's
+  int maxBounces = -1;            // -1: the scene's
+  RenderRequestOptions options;
+};
+
+std::array<int, 2> parseSize(const std::string& text) {
+  std::array<int, 2> size{};
+  const char *at = text.data(), *end = text.data() + text.size();
+  const auto width = std::from_chars(at, end, size[0]);
+  const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+  const auto height = std::from_chars(separated ? width.ptr + 1 : end, end, size[1]);
+  if (!separated || height.ec != std::errc{} || height.ptr != end)
+    throw UsageError(fmt::format(
+        "--size {}: the size is width x height in pixels, such as 640x480.", text));
+  return size;
+}
+
+int render(RenderArguments& arguments) {
+  SceneOverrides overrides;
+  if (!arguments.size.empty()) overrides.size = parseSize(arguments.size);
+  if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
+  const LoadedScene scene = loadScene(findScene(arguments.scene), overrides);
+  for (const std::string& note : scene.notes) fmt::print(stderr, "{}\n", note);
+  arguments.options.raysPerPixel = static_cast<std::uint64_t>(
+      arguments.raysPerPixel > 0 ? arguments.raysPerPixel : scene.raysPerPixel);
+  if (!arguments.output.empty()) {
+    std::string why;
+    if (!imageFormatKnown(arguments.output, why)) throw UsageError(why);
+  }
+
+  const Coursework coursework = prepareCoursework(arguments.with);
+  const std::string output = !arguments.output.empty()
+                                 ? arguments.output
+                                 : fmt::format("{}_{}.png", scene.name, coursework.name);
+  const RenderOutcome outcome = renderScene(coursework, scene, arguments.options);
+  const RenderedImage& rendered = outcome.rendered;
+  writeImage(output, rendered.image, scene.exposure);
+
+  fmt::print("{}: {}x{}, {:g} rays per pixel, {:.2f} s, {:.1f} Mrays/s, with {}\n", output,
+             rendered.image.width, rendered.image.height, rendered.raysPerPixel, rendered.seconds,
+             static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6, coursework.name);
+  if (!outcome.stubs.unwritten.empty())
+    fmt::print("Not written yet: {}.\n", listOfNames(outcome.stubs.unwritten));
+  if (const std::string sentence = invalidSentence(rendered, arguments.options.warmUp);
+      !sentence.empty()) {
+    fmt::print(stderr, "{}\n", sentence);
+    return kCourseworkFault;
+  }
+  if (!rendered.complete) {
+    fmt::print(stderr, "Interrupted: the picture has {:g} of {} rays per pixel.\n",
+               rendered.raysPerPixel, arguments.options.raysPerPixel);
+    return kInterrupted;
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, CommandAction& action) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
+  command->add_option("SCENE", arguments->scene, "A scene's name in scenes/, or a .json file")
+      ->required();
+  command->add_option("--with", arguments->with,
+                      "Coursework: student (default), solutions, or a folder of part*.cpp files");
+  command
+      ->add_option("--rays-per-pixel", arguments->raysPerPixel,
+                   "Rays through each pixel, 1 to 1000000000 (default: the scene's)")
+      ->check(CLI::Range(1, 1000000000));
+  command->add_option("--size", arguments->size, "Width x height, such as 640x480");
+  command
+      ->add_option("--max-bounces", arguments->maxBounces,
+                   "Scattering events on a path, 0 to 1000: 1 is direct light, 8 is direct light "
+                   "and seven bounces (default: the scene's)")
+      ->check(CLI::Range(0, 1000));
+  command
+      ->add_option("--threads", arguments->options.threads,
+                   "Render threads, 1 to 256 (default: one for each processor)")
+      ->check(CLI::Range(1, kMaxThreads));
+  command->add_option("--seed", arguments->options.seed, "Seed of the random numbers (default: 0)");
+  command->add_option("--output", arguments->output,
+                      "The file to write: .png to look at, .pfm to compute with (default: "
+                      "SCENE_COURSEWORK.png)");
+  command
+      ->add_option("--stop-after", arguments->options.secondsWithoutAnswer,
+                   "Stop coursework that gives no answer for this many seconds (default: 10)")
+      ->check(CLI::Range(0.1, 86400.0));
+  command->add_flag("--warm-up", arguments->options.warmUp,
+                    "Render with part 0's get_ray_radiance; spheres are left out");
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark render ucl_rectangle\n"
+      "  ./pathmark render cornell_box --with solutions --rays-per-pixel 256\n"
+      "  ./pathmark render cornell_box --warm-up --size 128x128\n"
+      "  ./pathmark render student/scenes/my_scene.json --output my_scene.pfm\n\n"
+      "The same seed gives the same bits, for any number of threads.\n"
+      "Exit code: 0 done, 1 the coursework is at fault, 2 the command line or the scene is,\n"
+      "3 the machine is, 130 interrupted.");
+  command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+}
+
+}  // namespace pathmark

@@ -1,0 +1,115 @@
+// pathmark status: which functions are written, part by part, and what comes next.
+#include "host/build_config.h"
+#include "host/commands.h"
+#include "host/coursework_builder.h"
+#include "host/exit_code.h"
+#include "host/session.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string handout(int part) {
+  const auto all = parts();
+  const std::string file(all[static_cast<std::size_t>(part)].file);
+  return "handouts/" + file.substr(0, file.rfind('.')) + ".md";
+}
+
+StubReport askWorker(const CourseworkBuild& build) {
+  WorkerProcess::Options options;
+  options.program = build.worker;
+  options.courseworkFolder = build.folder;
+  return makeStubReport(WorkerProcess(std::move(options)).stubs());
+}
+
+// Prints the line of one part; returns what to do next in it, if anything.
+std::optional<std::string> showPart(const PartBuild& part, const StubReport& report) {
+  std::vector<FunctionContract> all, missing;
+  for (const FunctionContract& f : contract()) {
+    if (f.part != part.part.part) continue;
+    all.push_back(f);
+    if (report.isUnwritten(f.function)) missing.push_back(f);
+  }
+  const std::string file = fs::proximate(part.source).string();
+  const std::string title = fmt::format("Part {}  {:<44}", part.part.part, part.part.title);
+  if (!part.compiled) {
+    fmt::print("{} does not compile\n", title);
+    return fmt::format("mend {}, which does not compile:\n{}", file, part.messages);
+  }
+  fmt::print("{} {} of {} written\n", title, all.size() - missing.size(), all.size());
+  for (const FunctionContract& f : missing)
+    fmt::print("          {}  {}\n", f.section, f.name);
+  if (missing.empty()) return std::nullopt;
+  return fmt::format("write {} in {}; the task stands above it, the chapter is {}.",
+                     missing.front().name, file, handout(part.part.part));
+}
+
+// Part 7 is scenes: one counts as written when it has a caption.
+std::optional<std::string> showScenes(const fs::path& folder) {
+  const fs::path scenes = folder / "scenes";
+  std::vector<fs::path> files;
+  if (fs::is_directory(scenes))
+    for (const auto& entry : fs::directory_iterator(scenes))
+      if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  int captioned = 0;
+  std::string problem;
+  for (const fs::path& file : files) {
+    try {
+      captioned += loadScene(file).caption.empty() ? 0 : 1;
+    } catch (const SceneError& e) {
+      problem = e.what();
+    }
+  }
+  fmt::print("Part 7  {:<44} {} of {} scenes have a caption\n", "Your own scenes", captioned,
+             files.size());
+  if (!problem.empty()) return "mend a scene: " + problem;
+  if (captioned > 0) return std::nullopt;
+  return fmt::format("write a scene in {}; the chapter is handouts/part7_scenes.md.",
+                     fs::proximate(scenes).string());
+}
+
+int status(const std::string& with) {
+  const fs::path folder = courseworkFolder(with);
+  if (!fs::is_directory(folder))
+    throw UsageError(fmt::format("{} is no folder of coursework files.", folder.string()));
+  const CourseworkBuild build = buildCoursework(folder, Incomplete::kLeaveThemOut);
+  if (build.worker.empty()) throw CourseworkError(build.failure());
+  const StubReport report = askWorker(build);
+  std::optional<std::string> next;
+  for (const PartBuild& part : build.parts) {
+    const std::optional<std::string> todo = showPart(part, report);
+    if (!next) next = todo;
+  }
+  const std::optional<std::string> scenes = showScenes(folder);
+  if (!next) next = scenes;
+  fmt::print("\n{}\n", next ? "Next: " + *next : "Everything is written.");
+  return build.complete() ? kSuccess : kCourseworkFault;
+}
+
+}  // namespace
+
+void addStatusCommand(CLI::App& app, CommandAction& action) {
+  const auto with = std::make_shared<std::string>("student");
+  CLI::App* command =
+      app.add_subcommand("status", "Say which functions are written, and what comes next");
+  command->add_option("--with", *with,
+                      "Coursework: student (default), solutions, or a folder of part*.cpp files");
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark status\n"
+      "  ./pathmark status --with ../submission\n\n"
+      "Exit code: 0 if everything compiles, 1 if not.");
+  command->callback([with, &action] { action = [with] { return status(*with); }; });
+}
+
+}  // namespace pathmark

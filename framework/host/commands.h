@@ -1,0 +1,20 @@
+// The commands of the program. Each adds itself to the command line; what it does runs later, and
+// returns an exit code.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace pathmark {
+
+using CommandAction = std::function<int()>;
+
+void addRenderCommand(CLI::App& app, CommandAction& action);
+void addDemoCommand(CLI::App& app, CommandAction& action);
+void addStatusCommand(CLI::App& app, CommandAction& action);
+void addBuildCommand(CLI::App& app, CommandAction& action);
+
+}  // namespace pathmark

@@ -1,0 +1,251 @@
+#include "host/coursework_builder.h"
+
+#include "host/build_config.h"
+#include "host/content_hash.h"
+#include "host/subprocess.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <thread>
+
+#include <unistd.h>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kBuildFolder{build::kBuildFolder};
+const fs::path kProjectFolder{build::kProjectFolder};
+
+const fs::path kContractSymbols = kProjectFolder / "framework/worker/contract.symbols";
+
+constexpr std::uintmax_t kLargestSource = 1024 * 1024;
+
+std::optional<std::string> readFile(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+std::vector<std::string> readLines(const fs::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+// Changes when a file is written anew, without reading it.
+std::string stamp(const fs::path& file) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file, error).time_since_epoch().count();
+  return fmt::format("{} {} {}\n", file.string(), time, fs::file_size(file, error));
+}
+
+// The flags and the headers that every coursework object depends on.
+const std::string& toolchainStamp() {
+  static const std::string all = [] {
+    std::string text{build::kCompiler};
+    for (const std::string_view flag : build::kCourseworkFlags) text.append(" ").append(flag);
+    for (const auto& header : fs::directory_iterator(kProjectFolder / "framework/include/pathmark"))
+      text += stamp(header.path());
+    text += stamp(kContractSymbols);
+    return text;
+  }();
+  return all;
+}
+
+struct Scratch {
+  fs::path path;
+  explicit Scratch(const fs::path& final)
+      : path(final.string() + fmt::format(".{}.{}", getpid(), nextNumber())) {}
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code error;
+    fs::remove(path, error);
+  }
+  static unsigned nextNumber() {
+    static std::atomic<unsigned> number{0};
+    return number++;
+  }
+};
+
+// The compiler is told the folder's full name, for the debugger; people see the name they gave.
+std::string shortenPaths(std::string text, const fs::path& folder) {
+  const std::string full = fs::absolute(folder).string() + "/";
+  const std::string brief = fs::proximate(folder).string() + "/";
+  for (std::size_t at = 0; (at = text.find(full, at)) != std::string::npos; at += brief.size())
+    text.replace(at, full.size(), brief);
+  return text;
+}
+
+// As a string literal of C++.
+std::string quoted(const std::string& text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') literal += '\\';
+    literal += c;
+  }
+  return literal + "\"";
+}
+
+// Compiles to an object in which only the names of the contract are visible: a helper function
+// with the name of another part's helper, or of a library function, replaces nothing.
+bool compileObject(const std::string& code, const fs::path& source, const fs::path& object,
+                   std::string& messages) {
+  const fs::path emptyFolder = kBuildFolder / "workers/empty";
+  fs::create_directories(emptyFolder);
+  const Scratch raw(object.string() + ".raw"), merged(object.string() + ".merged");
+
+  ProcessRequest compile;
+  compile.arguments.emplace_back(build::kCompiler);
+  for (const std::string_view flag : build::kCourseworkFlags) compile.arguments.emplace_back(flag);
+  for (const fs::path& include :
+       {kBuildFolder / "precompiled", kProjectFolder / "framework/include"})
+    compile.arguments.push_back("-I" + include.string());
+  for (const char* argument : {"-x", "c++", "-c", "-", "-o"})
+    compile.arguments.emplace_back(argument);
+  compile.arguments.push_back(raw.path.string());
+  compile.folder = emptyFolder;
+  compile.input = fmt::format("#line 1 {}\n", quoted(fs::absolute(source).string())) + code;
+  const ProcessResult compiled = runProcess(compile);
+  messages = compiled.output;
+  if (compiled.timedOut) messages += "The compiler was stopped after 120 s.\n";
+  if (compiled.exitCode != 0) return false;
+
+  // Groups of inline functions are dissolved first: a hidden function must not be one half of a
+  // group that the linker drops in favour of another object's.
+  const ProcessResult group =
+      runProcess({{std::string(build::kLd), "-r", "--force-group-allocation", "-o",
+                   merged.path.string(), raw.path.string()},
+                  {},
+                  {}});
+  const ProcessResult hide =
+      group.exitCode != 0
+          ? group
+          : runProcess({{std::string(build::kObjcopy),
+                         "--keep-global-symbols=" + kContractSymbols.string(), merged.path.string()},
+                        {},
+                        {}});
+  if (hide.exitCode != 0) {
+    messages += hide.output;
+    return false;
+  }
+  fs::rename(merged.path, object);
+  return true;
+}
+
+void buildPart(PartBuild& part, fs::path& object) {
+  std::error_code error;
+  if (fs::file_size(part.source, error) > kLargestSource && !error) {
+    part.messages = fmt::format("{} is larger than 1 MiB; a coursework file has a few kilobytes.\n",
+                                part.source.string());
+    return;
+  }
+  const std::optional<std::string> code = readFile(part.source);
+  if (!code) {
+    part.messages = fmt::format(
+        "{} cannot be read; a coursework folder holds the same part*.cpp files as student/.\n",
+        part.source.string());
+    return;
+  }
+  const std::string key =
+      contentHash(toolchainStamp() + fs::absolute(part.source).string() + "\n" + *code);
+  const fs::path folder = kBuildFolder / "workers/objects";
+  fs::create_directories(folder);
+  object = folder / (key + ".o");
+  if (fs::exists(object)) {
+    part.compiled = true;
+    return;
+  }
+  part.compiled = compileObject(*code, part.source, object, part.messages);
+  part.messages = shortenPaths(part.messages, part.source.parent_path());
+}
+
+void buildParts(std::vector<PartBuild>& parts, std::vector<fs::path>& objects) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = 0; (i = next++) < parts.size();) buildPart(parts[i], objects[i]);
+  };
+  std::vector<std::jthread> threads;
+  const unsigned extra = std::max(1u, std::thread::hardware_concurrency()) - 1;
+  for (unsigned k = 0; k < extra; ++k) threads.emplace_back(work);
+  work();
+}
+
+void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
+  const std::vector<std::string> framework = readLines(kBuildFolder / "worker_objects.txt");
+  std::string inputs;
+  for (const std::string& object : framework) inputs += stamp(object);
+  for (const fs::path& object : objects) inputs += object.filename().string() + "\n";
+  const fs::path folder = kBuildFolder / "workers" / contentHash(inputs);
+  const fs::path worker = folder / "worker";
+  if (fs::exists(worker)) {
+    result.worker = worker;
+    return;
+  }
+  fs::create_directories(folder);
+  const Scratch scratch(worker);
+  ProcessRequest request;
+  request.arguments.emplace_back(build::kCompiler);
+  for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
+  if (!build::kLinkerFlag.empty()) request.arguments.emplace_back(build::kLinkerFlag);
+  if (!result.complete()) request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
+  request.arguments.emplace_back("-pthread");
+  request.arguments.emplace_back("-o");
+  request.arguments.push_back(scratch.path.string());
+  request.arguments.insert(request.arguments.end(), framework.begin(), framework.end());
+  for (const fs::path& object : objects)
+    if (!object.empty()) request.arguments.push_back(object.string());
+  const ProcessResult linked = runProcess(request);
+  result.linkMessages = linked.output;
+  if (linked.exitCode != 0) return;
+  fs::rename(scratch.path, worker);
+  result.worker = worker;
+}
+
+}  // namespace
+
+bool CourseworkBuild::complete() const {
+  return std::all_of(parts.begin(), parts.end(), [](const PartBuild& p) { return p.compiled; });
+}
+
+std::string CourseworkBuild::failure() const {
+  std::string text;
+  for (const PartBuild& p : parts) {
+    if (p.compiled) continue;
+    const bool read = p.messages.find("cannot be read") == std::string::npos;
+    text += read ? fmt::format("{} does not compile:\n{}", fs::proximate(p.source).string(),
+                               p.messages)
+                 : p.messages;
+  }
+  if (text.empty() && worker.empty())
+    text = fmt::format("{} compiles but does not link:\n{}", fs::proximate(folder).string(),
+                       linkMessages);
+  return text;
+}
+
+CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy) {
+  CourseworkBuild result;
+  result.folder = folder;
+  for (const PartContract& part : parts()) result.parts.push_back({part, folder / part.file, {}, {}});
+  std::vector<fs::path> objects(result.parts.size());
+  buildParts(result.parts, objects);
+  if (result.complete() || policy == Incomplete::kLeaveThemOut) link(result, objects);
+  return result;
+}
+
+fs::path courseworkFolder(const std::string& with) {
+  if (with == "student" || with == "solutions") return kProjectFolder / with;
+  return with;
+}
+
+}  // namespace pathmark

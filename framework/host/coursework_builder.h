@@ -1,0 +1,45 @@
+// buildCoursework: from a folder of coursework files to a worker program.
+//
+// Only the expected file names are compiled, each by itself, from the bytes that were read once;
+// other files of the folder cannot be included. Objects and workers are kept by the hash of what
+// they were made from, so that only what changed is compiled again.
+#pragma once
+
+#include "worker/contract.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pathmark {
+
+struct PartBuild {
+  PartContract part;
+  std::filesystem::path source;
+  bool compiled = false;
+  std::string messages;  // warnings of a new compilation, or why the part could not be compiled
+};
+
+struct CourseworkBuild {
+  std::filesystem::path folder;
+  std::vector<PartBuild> parts;
+  std::filesystem::path worker;  // empty if it could not be made
+  std::string linkMessages;
+
+  bool complete() const;        // every part compiled, and the worker linked
+  std::string failure() const;  // sentences about what did not, with the compiler's words
+};
+
+enum class Incomplete {
+  kNoWorker,       // a part that does not compile: no worker
+  kLeaveThemOut,   // a worker without those parts, good for asking which stubs are left
+};
+
+// Throws std::system_error if the compiler cannot be run or the build folder not be written.
+CourseworkBuild buildCoursework(const std::filesystem::path& folder,
+                                Incomplete policy = Incomplete::kNoWorker);
+
+// The folder meant by --with: "student" and "solutions" are the project's own.
+std::filesystem::path courseworkFolder(const std::string& with);
+
+}  // namespace pathmark

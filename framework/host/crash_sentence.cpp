@@ -1,0 +1,104 @@
+#include "host/crash_sentence.h"
+
+#include "host/build_config.h"
+#include "host/subprocess.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <sstream>
+#include <vector>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Frame {
+  std::string function, file, line;
+};
+
+// addr2line prints two lines for each frame, function and file:line; inlined calls come as frames
+// of their own, innermost first.
+std::vector<Frame> frames(const CrashRecord& record, const fs::path& program) {
+  ProcessRequest request;
+  request.arguments = {std::string(build::kAddr2line), "-i", "-f", "-C", "-e", program.string()};
+  for (std::uint32_t k = 0; k < record.frameCount; ++k)
+    request.arguments.push_back(fmt::format("{:#x}", record.frames[k] - 1));
+  request.timeLimitSeconds = 20.0;
+  std::istringstream lines(runProcess(request).output);
+  std::vector<Frame> found;
+  for (std::string function, place; std::getline(lines, function) && std::getline(lines, place);) {
+    const std::size_t colon = place.rfind(':');
+    if (colon == std::string::npos) continue;
+    std::string line = place.substr(colon + 1);
+    line = line.substr(0, line.find(' '));
+    found.push_back({function, place.substr(0, colon), line});
+  }
+  return found;
+}
+
+// "pathmark::LitScene::tracePath(pathmark::Ray const&, ...) const" -> "LitScene::tracePath".
+std::string briefName(std::string function) {
+  for (const std::string_view space : {"pathmark::", "(anonymous namespace)::"})
+    while (function.rfind(space, 0) == 0) function.erase(0, space.size());
+  return function.substr(0, function.find('('));
+}
+
+std::string whatHappened(const CrashRecord& record) {
+  switch (record.kind) {
+    case CrashKind::kStackOverflow:
+      return "stack overflow; is there a recursion that never ends?";
+    case CrashKind::kException:
+      return fmt::format("an exception that nobody caught: {}",
+                         std::string_view(record.text).substr(0, 200));
+    default:
+      return signalName(record.signal);
+  }
+}
+
+}  // namespace
+
+std::string signalName(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+      return "a segmentation fault (SIGSEGV): memory that does not belong to the program was used";
+    case SIGBUS:
+      return "a bus error (SIGBUS): memory that does not exist was used";
+    case SIGFPE:
+      return "an arithmetic error (SIGFPE), such as an integer divided by zero";
+    case SIGILL:
+      return "an illegal instruction (SIGILL); does a function end without a return statement?";
+    case SIGABRT:
+      return "abort (SIGABRT), as by a failed assertion";
+    case SIGTRAP:
+      return "a trap (SIGTRAP)";
+    case SIGKILL:
+      return "the operating system (SIGKILL), which may have been short of memory";
+    default:
+      return fmt::format("signal {}", signal);
+  }
+}
+
+std::string crashPlace(const CrashRecord& record, const fs::path& program,
+                       const fs::path& courseworkFolder) {
+  const fs::path folder = fs::absolute(courseworkFolder).lexically_normal();
+  for (const Frame& frame : frames(record, program)) {
+    const fs::path file = fs::path(frame.file).lexically_normal();
+    const fs::path inside = file.lexically_relative(folder);
+    if (inside.empty() || *inside.begin() == "..") continue;
+    return fmt::format("{}:{}, in {}", fs::proximate(file).string(), frame.line,
+                       briefName(frame.function));
+  }
+  return {};
+}
+
+std::string crashSentence(const CrashRecord& record, const fs::path& program,
+                          const fs::path& courseworkFolder) {
+  const std::string place = crashPlace(record, program, courseworkFolder);
+  return fmt::format("{}: {}.", place.empty() ? "The coursework crashed" : place,
+                     whatHappened(record));
+}
+
+}  // namespace pathmark

@@ -1,0 +1,23 @@
+// From a crash record to words: which signal, in which function, in which file and line.
+#pragma once
+
+#include "worker/protocol.h"
+
+#include <filesystem>
+#include <string>
+
+namespace pathmark {
+
+// "student/part5_path.cpp:31, in LitScene::tracePath", the innermost frame that lies in the
+// coursework folder; empty if there is none.
+std::string crashPlace(const CrashRecord& record, const std::filesystem::path& program,
+                       const std::filesystem::path& courseworkFolder);
+
+// The whole sentence.
+std::string crashSentence(const CrashRecord& record, const std::filesystem::path& program,
+                          const std::filesystem::path& courseworkFolder);
+
+// "a segmentation fault (SIGSEGV)".
+std::string signalName(int signal);
+
+}  // namespace pathmark

@@ -1,0 +1,87 @@
+// pathmark: the command line of the host.
+#include "film/image.h"
+#include "host/commands.h"
+#include "host/exit_code.h"
+#include "host/interrupt.h"
+#include "host/session.h"
+#include "scene/load_scene.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <system_error>
+
+namespace pathmark {
+
+namespace {
+
+// What the front-door script does before it hands over; listed here for --help.
+void addScriptCommand(CLI::App& app, const char* name, const char* what, const char* footer) {
+  CLI::App* command = app.add_subcommand(name, what);
+  command->footer(footer);
+  command->callback([name] {
+    throw UsageError(fmt::format("Run ./pathmark {}: the script does this, not the program.", name));
+  });
+}
+
+int complain(const char* sentence, int code) {
+  fmt::print(stderr, "{}\n", sentence);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Pathmark: a Monte Carlo path tracing coursework that marks itself"};
+  app.name("./pathmark");
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(30);
+  CommandAction action;
+  addDemoCommand(app, action);
+  addScriptCommand(app, "test", "Build everything and run all tests",
+                   "Examples:\n"
+                   "  ./pathmark test\n"
+                   "  ./pathmark test --preset asan            (with the sanitizers)\n"
+                   "  ./pathmark test -R Sphere                (further words go to ctest)");
+  addStatusCommand(app, action);
+  addRenderCommand(app, action);
+  addBuildCommand(app, action);
+  addScriptCommand(app, "clean", "Remove the build folder",
+                   "Examples:\n"
+                   "  ./pathmark clean");
+  app.footer(
+      "Examples:\n"
+      "  ./pathmark demo\n"
+      "  ./pathmark status\n"
+      "  ./pathmark render cornell_box --rays-per-pixel 256\n\n"
+      "./pathmark COMMAND --help says more about a command. Coursework: student/, chapters: "
+      "handouts/.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kSuccess : kUsageFault;
+  }
+  watchForInterrupt();
+  return action();
+}
+
+}  // namespace
+
+}  // namespace pathmark
+
+int main(int argc, char** argv) {
+  using namespace pathmark;
+  try {
+    return run(argc, argv);
+  } catch (const CourseworkError& e) {
+    return complain(e.what(), kCourseworkFault);
+  } catch (const WorkerError& e) {
+    return complain(e.what(), kCourseworkFault);
+  } catch (const UsageError& e) {
+    return complain(e.what(), kUsageFault);
+  } catch (const SceneError& e) {
+    return complain(e.what(), kUsageFault);
+  } catch (const std::exception& e) {
+    return complain(e.what(), kMachineFault);
+  }
+}

@@ -1,0 +1,30 @@
+// ProgressBar: one line on a terminal that says how far a render is; nothing off a terminal.
+#pragma once
+
+#include "host/render_loop.h"
+
+#include <string>
+#include <string_view>
+
+namespace pathmark {
+
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::string title);
+  ~ProgressBar() { clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(const RenderStatus& status);
+  void clear();
+
+  // Text of somebody else on standard error, above the bar.
+  void printAbove(std::string_view text);
+
+ private:
+  std::string title_;
+  bool terminal_;
+  bool shown_ = false;
+};
+
+}  // namespace pathmark

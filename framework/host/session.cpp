@@ -1,0 +1,118 @@
+#include "host/session.h"
+
+#include "host/build_config.h"
+#include "host/coursework_builder.h"
+#include "host/interrupt.h"
+#include "host/progress_bar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kProjectFolder{build::kProjectFolder};
+
+std::string courseworkName(const std::string& with, const fs::path& folder) {
+  if (with == "student" || with == "solutions") return with;
+  const fs::path normal = fs::absolute(folder).lexically_normal();
+  return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
+}
+
+}  // namespace
+
+Coursework prepareCoursework(const std::string& with) {
+  const fs::path folder = courseworkFolder(with);
+  if (!fs::is_directory(folder))
+    throw CourseworkError(fmt::format(
+        "{} is no folder: --with takes student, solutions, or a folder with part*.cpp files.",
+        fs::proximate(folder).string()));
+  const CourseworkBuild build = buildCoursework(folder);
+  if (build.worker.empty()) throw CourseworkError(build.failure());
+  for (const PartBuild& part : build.parts) std::fputs(part.messages.c_str(), stderr);
+  return {courseworkName(with, folder), folder, build.worker};
+}
+
+std::vector<std::string> sceneNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(kProjectFolder / "scenes"))
+    if (entry.path().extension() == ".json" &&
+        entry.path().stem().extension() != ".schema")
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path findScene(const std::string& scene) {
+  if (fs::is_regular_file(scene) || scene.find('/') != std::string::npos ||
+      fs::path(scene).extension() == ".json")
+    return scene;
+  for (const char* folder : {"scenes", "student/scenes"}) {
+    const fs::path file = kProjectFolder / folder / (scene + ".json");
+    if (fs::exists(file)) return file;
+  }
+  throw UsageError(fmt::format(
+      "There is no scene {}: it is one of {}, or the path of a .json file.", scene,
+      fmt::join(sceneNames(), ", ")));
+}
+
+RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
+                          const RenderRequestOptions& options) {
+  ProgressBar bar(fmt::format("{}, {}", scene.name, coursework.name));
+  WorkerProcess::Options worker;
+  worker.program = coursework.worker;
+  worker.courseworkFolder = coursework.folder;
+  worker.limits.secondsWithoutAnswer = options.secondsWithoutAnswer;
+  worker.onText = [&](std::string_view text) { bar.printAbove(text); };
+  WorkerProcess process(std::move(worker));
+
+  RenderOutcome outcome;
+  outcome.stubs = makeStubReport(process.stubs());
+  process.loadScene(scene.flat);
+  RenderSettings settings;
+  settings.width = static_cast<int>(scene.flat.camera.width);
+  settings.height = static_cast<int>(scene.flat.camera.height);
+  settings.raysPerPixel = options.raysPerPixel;
+  settings.threads = options.threads != 0 ? options.threads
+                                          : std::max(1u, std::thread::hardware_concurrency());
+  settings.threads = std::min<std::uint32_t>(settings.threads, kMaxThreads);
+  settings.seed = options.seed;
+  settings.estimator = options.warmUp ? Estimator::kWarmUp : Estimator::kPath;
+  outcome.rendered = renderImage(process, settings, [&](const RenderStatus& status) {
+    bar.show(status);
+    return !interrupted();
+  });
+  return outcome;
+}
+
+std::string invalidSentence(const RenderedImage& image, bool warmUp) {
+  const InvalidPixels& invalid = image.invalid;
+  if (invalid.count() == 0) return {};
+  std::vector<std::string> kinds;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) kinds.push_back(fmt::format("{} {}", count, what));
+  };
+  add(invalid.nan, "NaN");
+  add(invalid.infinite, "infinite");
+  add(invalid.negative, "negative");
+  const auto width = static_cast<std::uint64_t>(image.image.width);
+  return fmt::format(
+      "{} returned {} values, first in pixel column {}, row {}: a radiance is finite and not "
+      "negative. They are left out of the picture; pixels that have no other value are magenta.",
+      warmUp ? "get_ray_radiance" : "renderPixel", fmt::join(kinds, ", "),
+      invalid.firstPixel % width, invalid.firstPixel / width);
+}
+
+std::string listOfNames(std::span<const FunctionContract> functions) {
+  std::vector<std::string_view> names;
+  for (const FunctionContract& f : functions) names.push_back(f.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace pathmark

@@ -1,0 +1,65 @@
+// What the commands share: building a coursework, starting its worker, finding a scene, rendering.
+#pragma once
+
+#include "host/render_loop.h"
+#include "host/stub_report.h"
+#include "host/worker_process.h"
+#include "scene/load_scene.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pathmark {
+
+// A sentence about coursework that cannot be used at all.
+class CourseworkError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A sentence about the command line.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Coursework {
+  std::string name;  // "student", "solutions", or the folder's name
+  std::filesystem::path folder;
+  std::filesystem::path worker;
+};
+
+// Compiles and links; prints the compiler's warnings to standard error. Throws CourseworkError.
+Coursework prepareCoursework(const std::string& with);
+
+// A scene by its file, or by its name in scenes/ or student/scenes/. Throws UsageError.
+std::filesystem::path findScene(const std::string& scene);
+
+// The file names without ending in scenes/, sorted.
+std::vector<std::string> sceneNames();
+
+struct RenderRequestOptions {
+  std::uint64_t raysPerPixel = 64;
+  std::uint32_t threads = 0;  // 0: one for each processor
+  std::uint64_t seed = 0;
+  bool warmUp = false;
+  double secondsWithoutAnswer = 10.0;
+};
+
+struct RenderOutcome {
+  RenderedImage rendered;
+  StubReport stubs;
+};
+
+// Renders with a progress bar. Throws WorkerError.
+RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
+                          const RenderRequestOptions& options);
+
+// A sentence about values that are no radiance; empty if there are none.
+std::string invalidSentence(const RenderedImage& image, bool warmUp);
+
+std::string listOfNames(std::span<const FunctionContract> functions);
+
+}  // namespace pathmark

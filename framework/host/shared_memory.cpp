@@ -1,0 +1,73 @@
+#include "host/shared_memory.h"
+
+#include "worker/protocol.h"
+
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace pathmark {
+
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+FileDescriptor createMemory(const char* name, std::size_t bytes) {
+  FileDescriptor fd(memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (fd.get() < 0) fail("shared memory");
+  if (ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0) fail("shared memory");
+  return fd;
+}
+
+std::byte* mapMemory(const FileDescriptor& fd, std::size_t bytes) {
+  void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, fd.get(), 0);
+  if (memory == MAP_FAILED) fail("shared memory");
+  return static_cast<std::byte*>(memory);
+}
+
+}  // namespace
+
+FileDescriptor::~FileDescriptor() {
+  if (fd_ >= 0) close(fd_);
+}
+
+FileDescriptor makeSealedBlock(std::span<const std::byte> bytes) {
+  FileDescriptor fd = createMemory("pathmark-scene", bytes.size());
+  std::byte* memory = mapMemory(fd, bytes.size());
+  std::memcpy(memory, bytes.data(), bytes.size());
+  munmap(memory, bytes.size());
+  if (fcntl(fd.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
+    fail("sealing the scene");
+  return fd;
+}
+
+// The size is sealed, so that a worker cannot pull the memory away from under the host.
+SharedFilm::SharedFilm(int width, int height)
+    : width_(width),
+      height_(height),
+      bytes_(kFilmOffset + static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                               sizeof(FilmPixel)),
+      fd_(createMemory("pathmark-film", bytes_)) {
+  if (fcntl(fd_.get(), F_ADD_SEALS, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
+    fail("sealing the film");
+  memory_ = mapMemory(fd_, bytes_);
+  new (memory_) ProgressBoard;
+}
+
+SharedFilm::~SharedFilm() { munmap(memory_, bytes_); }
+
+ProgressBoard& SharedFilm::board() const { return *reinterpret_cast<ProgressBoard*>(memory_); }
+
+std::span<const FilmPixel> SharedFilm::pixels() const {
+  return {reinterpret_cast<const FilmPixel*>(memory_ + kFilmOffset),
+          static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)};
+}
+
+}  // namespace pathmark

@@ -1,0 +1,61 @@
+// Memory that the host shares with a worker.
+//
+//   SealedBlock   a block that nobody can change any more: the packed scene
+//   SharedFilm    the progress board and the film that a worker renders into
+#pragma once
+
+#include "render/progress_board.h"
+#include "render/render_job.h"
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace pathmark {
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd = -1) : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor();
+
+  int get() const { return fd_; }
+  void reset() { *this = FileDescriptor(); }
+
+ private:
+  int fd_;
+};
+
+// A copy of `bytes` behind a descriptor, sealed against writing, growing and shrinking. Throws
+// std::system_error.
+FileDescriptor makeSealedBlock(std::span<const std::byte> bytes);
+
+class SharedFilm {
+ public:
+  // All pixels zero. Throws std::system_error.
+  SharedFilm(int width, int height);
+  ~SharedFilm();
+  SharedFilm(const SharedFilm&) = delete;
+  SharedFilm& operator=(const SharedFilm&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int descriptor() const { return fd_.get(); }
+  std::size_t bytes() const { return bytes_; }
+  ProgressBoard& board() const;
+  std::span<const FilmPixel> pixels() const;
+
+ private:
+  int width_, height_;
+  std::size_t bytes_;
+  FileDescriptor fd_;
+  std::byte* memory_ = nullptr;
+};
+
+}  // namespace pathmark

@@ -1,0 +1,24 @@
+#include "host/stub_report.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace pathmark {
+
+bool StubReport::isUnwritten(CourseworkFunction f) const {
+  return std::any_of(unwritten.begin(), unwritten.end(),
+                     [f](const FunctionContract& c) { return c.function == f; });
+}
+
+StubReport makeStubReport(std::span<const StubRecord> records) {
+  StubReport report;
+  for (const FunctionContract& c : contract()) {
+    const bool marked = std::any_of(records.begin(), records.end(), [&](const StubRecord& r) {
+      return std::string_view(r.function) == c.name;
+    });
+    if (marked) report.unwritten.push_back(c);
+  }
+  return report;
+}
+
+}  // namespace pathmark

@@ -1,0 +1,87 @@
+#include "host/worker_launch.h"
+
+#include "host/build_config.h"
+#include "worker/protocol.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace pathmark {
+
+namespace {
+
+std::pair<FileDescriptor, FileDescriptor> makePair(bool socket) {
+  std::array<int, 2> ends{};
+  const int failed = socket ? socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data())
+                            : pipe2(ends.data(), O_CLOEXEC);
+  if (failed != 0)
+    throw std::system_error(errno, std::generic_category(), "a channel to the worker");
+  return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
+}
+
+void setLimit(decltype(RLIMIT_CORE) what, rlim_t value) {
+  const rlimit limit{value, value};
+  setrlimit(what, &limit);
+}
+
+constexpr rlim_t kStackBytes = 8 * 1024 * 1024;
+
+// Between fork and exec: calls that are safe there, and nothing else.
+[[noreturn]] void becomeWorker(const char* program, int socket, int text, int crash,
+                               std::size_t memoryBytes, pid_t parent) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);
+  // First out of the way of the numbers that the worker expects.
+  constexpr int kHigh = 64;
+  const int high[] = {fcntl(socket, F_DUPFD_CLOEXEC, kHigh), fcntl(text, F_DUPFD_CLOEXEC, kHigh),
+                      fcntl(crash, F_DUPFD_CLOEXEC, kHigh)};
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  dup2(nothing, STDIN_FILENO);
+  dup2(high[1], STDOUT_FILENO);
+  dup2(high[1], STDERR_FILENO);
+  dup2(high[0], kWorkerSocket);
+  dup2(high[2], kWorkerCrashPipe);
+  close_range(kWorkerCrashPipe + 1, ~0u, 0);
+  setLimit(RLIMIT_CORE, 0);
+  setLimit(RLIMIT_STACK, kStackBytes);
+  // Sanitizers reserve far more address space than they use.
+  if (!build::kSanitized) setLimit(RLIMIT_AS, memoryBytes);
+  execl(program, "worker", static_cast<char*>(nullptr));
+  _exit(127);
+}
+
+}  // namespace
+
+LaunchedWorker launchWorker(const std::filesystem::path& program, std::size_t memoryBytes) {
+  auto [socket, workerSocket] = makePair(true);
+  auto [text, workerText] = makePair(false);
+  auto [crash, workerCrash] = makePair(false);
+  const std::string name = program.string();
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "starting the worker");
+  if (child == 0)
+    becomeWorker(name.c_str(), workerSocket.get(), workerText.get(), workerCrash.get(),
+                 memoryBytes, parent);
+  setpgid(child, child);
+  LaunchedWorker launched;
+  launched.pid = child;
+  launched.socket = std::move(socket);
+  launched.text = std::move(text);
+  launched.crash = std::move(crash);
+  return launched;
+}
+
+}  // namespace pathmark

@@ -1,0 +1,363 @@
+#include "host/worker_process.h"
+
+#include "host/build_config.h"
+#include "host/crash_sentence.h"
+#include "host/worker_launch.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace pathmark {
+
+namespace {
+
+constexpr int kPollMilliseconds = 50;
+
+template <class T>
+std::span<const std::byte> bytesOf(const T& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+
+template <class T>
+T valueOf(std::span<const std::byte> bytes) {
+  T value;
+  std::memcpy(&value, bytes.data(), sizeof value);
+  return value;
+}
+
+void append(std::vector<std::byte>& body, std::span<const std::byte> bytes) {
+  body.insert(body.end(), bytes.begin(), bytes.end());
+}
+
+}  // namespace
+
+// A thread that stays within one pixel's pass for too long, by its own words on the board.
+class WorkerProcess::StallWatch {
+ public:
+  StallWatch(const ProgressBoard& board, std::uint32_t threads, double limitSeconds)
+      : board_(board), seen_(threads), limit_(limitSeconds) {}
+
+  std::optional<int> stalledThread() {
+    const auto now = Clock::now();
+    for (std::size_t k = 0; k < seen_.size(); ++k) {
+      const ThreadSlot& slot = board_.threads[k];
+      const std::uint64_t done = slot.pixelsDone.load(std::memory_order_relaxed);
+      const int id = slot.threadId.load(std::memory_order_relaxed);
+      if (id == 0 || done != seen_[k].done || seen_[k].since == Clock::time_point{})
+        seen_[k] = {done, now};
+      else if (std::chrono::duration<double>(now - seen_[k].since).count() > limit_)
+        return id;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Seen {
+    std::uint64_t done = 0;
+    Clock::time_point since{};
+  };
+  const ProgressBoard& board_;
+  std::vector<Seen> seen_;
+  double limit_;
+};
+
+WorkerProcess::WorkerProcess(Options options) : options_(std::move(options)) {
+  LaunchedWorker launched = launchWorker(options_.program, options_.limits.memoryBytes);
+  pid_ = launched.pid;
+  socket_ = std::move(launched.socket);
+  text_ = std::move(launched.text);
+  crash_ = std::move(launched.crash);
+  try {
+    const auto started = Clock::now();
+    const auto body = awaitReply(MessageKind::kHello, 0, sizeof(Hello), sizeof(Hello),
+                                 [&] { return silentFor(started); });
+    if (valueOf<Hello>(body).version != kProtocolVersion)
+      fail(WorkerFault::kNonsense, "The worker speaks another version of the protocol.");
+  } catch (...) {
+    closeAll();
+    throw;
+  }
+}
+
+WorkerProcess::~WorkerProcess() { closeAll(); }
+
+void WorkerProcess::closeAll() {
+  socket_.reset();
+  if (pid_ > 0) {
+    kill(-pid_, SIGKILL);
+    reap();
+  }
+  text_.reset();
+  crash_.reset();
+}
+
+int WorkerProcess::reap() {
+  int status = 0;
+  if (pid_ > 0)
+    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
+  pid_ = -1;
+  return status;
+}
+
+std::optional<int> WorkerProcess::silentFor(Clock::time_point since) const {
+  const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
+  return seconds > options_.limits.secondsWithoutAnswer ? std::optional<int>(pid_) : std::nullopt;
+}
+
+std::vector<StubRecord> WorkerProcess::stubs() {
+  constexpr std::size_t kMost = 1000;
+  const auto started = Clock::now();
+  const std::uint32_t sequence = sendRequest(MessageKind::kStubs, {}, -1);
+  const auto body = awaitReply(MessageKind::kStubs, sequence, 0, kMost * sizeof(StubRecord),
+                               [&] { return silentFor(started); });
+  if (body.size() % sizeof(StubRecord) != 0)
+    fail(WorkerFault::kNonsense, "The worker's list of unwritten functions makes no sense.");
+  std::vector<StubRecord> records(body.size() / sizeof(StubRecord));
+  if (!records.empty()) std::memcpy(records.data(), body.data(), body.size());
+  for (StubRecord& r : records) r.file[sizeof r.file - 1] = r.function[sizeof r.function - 1] = 0;
+  return records;
+}
+
+void WorkerProcess::loadScene(const FlatScene& scene) {
+  const std::vector<std::byte> packed = packScene(scene);
+  sceneBlock_ = makeSealedBlock(packed);
+  const auto started = Clock::now();
+  const LoadSceneRequest request{packed.size()};
+  const std::uint32_t sequence =
+      sendRequest(MessageKind::kLoadScene, bytesOf(request), sceneBlock_.get());
+  const auto body = awaitReply(MessageKind::kLoadScene, sequence, sizeof(LoadSceneReply),
+                               sizeof(LoadSceneReply), [&] { return silentFor(started); });
+  if (valueOf<LoadSceneReply>(body).understood != 1)
+    fail(WorkerFault::kNonsense, "The worker did not understand the scene.");
+}
+
+RenderResult WorkerProcess::render(const RenderJob& job, SharedFilm& film,
+                                   const std::function<bool(const RenderProgress&)>& onProgress) {
+  ProgressBoard& board = film.board();
+  board.cancel = 0;
+  for (ThreadSlot& slot : board.threads) {
+    slot.pixelsDone = 0;
+    slot.raysTraced = 0;
+    slot.threadId = 0;
+  }
+  StallWatch watch(board, job.threads, options_.limits.secondsWithoutAnswer);
+  auto lastSign = Clock::now();
+  const auto watchAndTell = [&]() -> std::optional<int> {
+    RenderProgress progress;
+    bool working = false;
+    for (std::uint32_t k = 0; k < job.threads; ++k) {
+      progress.pixelPassesDone += board.threads[k].pixelsDone;
+      progress.raysTraced += board.threads[k].raysTraced;
+      working = working || board.threads[k].threadId != 0;
+    }
+    if (!onProgress(progress)) board.cancel = 1;
+    // With no thread at work the reply itself is due.
+    if (working) lastSign = Clock::now();
+    if (const auto thread = watch.stalledThread()) return thread;
+    return silentFor(lastSign);
+  };
+  const RenderRequest request{job, film.bytes()};
+  const std::uint32_t sequence =
+      sendRequest(MessageKind::kRender, bytesOf(request), film.descriptor());
+  const auto body = awaitReply(MessageKind::kRender, sequence, sizeof(RenderResult),
+                               sizeof(RenderResult), watchAndTell);
+  return valueOf<RenderResult>(body);
+}
+
+std::vector<std::uint32_t> WorkerProcess::call(CourseworkFunction function,
+                                               std::span<const std::uint32_t> object,
+                                               std::span<const std::uint32_t> inputs) {
+  const FunctionContract& contract = contractOf(function);
+  if (inputs.size() % contract.inputWords != 0)
+    throw std::invalid_argument(
+        fmt::format("{} takes {} words a call", contract.name, contract.inputWords));
+  const std::uint64_t count = inputs.size() / contract.inputWords;
+  std::vector<std::byte> body;
+  append(body, bytesOf(CallRequest{static_cast<std::uint32_t>(function),
+                                   static_cast<std::uint32_t>(object.size()), count}));
+  append(body, std::as_bytes(object));
+  append(body, std::as_bytes(inputs));
+
+  const auto started = Clock::now();
+  const std::uint64_t bytes = count * contract.outputWords * sizeof(std::uint32_t);
+  const std::uint32_t sequence = sendRequest(MessageKind::kCall, body, -1);
+  const auto reply = awaitReply(MessageKind::kCall, sequence, 0, bytes,
+                                [&] { return silentFor(started); });
+  if (reply.size() != bytes)
+    fail(WorkerFault::kNonsense,
+         fmt::format("The worker could not call {}: its answer has {} bytes where {} belong.",
+                     contract.name, reply.size(), bytes));
+  std::vector<std::uint32_t> words(reply.size() / sizeof(std::uint32_t));
+  if (!words.empty()) std::memcpy(words.data(), reply.data(), reply.size());
+  return words;
+}
+
+std::uint32_t WorkerProcess::sendRequest(MessageKind kind, std::span<const std::byte> body,
+                                         int descriptor) {
+  if (pid_ <= 0) throw std::logic_error("the worker has ended");
+  MessageHeader header;
+  header.kind = kind;
+  header.sequence = nextSequence_++;
+  header.length = body.size();
+  sendBytes(bytesOf(header), descriptor);
+  sendBytes(body, -1);
+  return header.sequence;
+}
+
+void WorkerProcess::sendBytes(std::span<const std::byte> bytes, int descriptor) {
+  const auto started = Clock::now();
+  while (!bytes.empty()) {
+    iovec part{const_cast<std::byte*>(bytes.data()), bytes.size()};
+    msghdr message{};
+    message.msg_iov = &part;
+    message.msg_iovlen = 1;
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+    if (descriptor >= 0) {
+      message.msg_control = control.data();
+      message.msg_controllen = control.size();
+      cmsghdr* c = CMSG_FIRSTHDR(&message);
+      c->cmsg_level = SOL_SOCKET;
+      c->cmsg_type = SCM_RIGHTS;
+      c->cmsg_len = CMSG_LEN(sizeof(int));
+      std::memcpy(CMSG_DATA(c), &descriptor, sizeof descriptor);
+    }
+    const ssize_t sent = sendmsg(socket_.get(), &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent > 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(sent));
+      descriptor = -1;
+      continue;
+    }
+    if (errno == EPIPE || errno == ECONNRESET) failDead();
+    if (errno != EAGAIN && errno != EINTR)
+      throw std::system_error(errno, std::generic_category(), "sending to the worker");
+    pump(kPollMilliseconds, POLLOUT);
+    if (const auto thread = silentFor(started)) failStalled(*thread);
+  }
+}
+
+// Waits for something to happen; reads what the coursework prints and what a crash says. Returns
+// whether the socket is ready.
+bool WorkerProcess::pump(int timeoutMilliseconds, short socketEvents) {
+  std::array<pollfd, 3> fds{{{socket_.get(), socketEvents, 0},
+                             {text_.get(), POLLIN, 0},
+                             {crash_.get(), POLLIN, 0}}};
+  if (poll(fds.data(), fds.size(), timeoutMilliseconds) < 0) {
+    if (errno == EINTR) return false;
+    throw std::system_error(errno, std::generic_category(), "waiting for the worker");
+  }
+  if (fds[1].revents != 0) readText();
+  if (fds[2].revents != 0) readCrash();
+  return fds[0].revents != 0;
+}
+
+void WorkerProcess::readText() {
+  std::array<char, 65536> chunk{};
+  const ssize_t n = read(text_.get(), chunk.data(), chunk.size());
+  if (n <= 0) {
+    if (n == 0) text_.reset();
+    return;
+  }
+  textBytes_ += static_cast<std::size_t>(n);
+  if (textBytes_ > options_.limits.outputBytes)
+    fail(WorkerFault::kOutputLimit,
+         fmt::format("The coursework printed more than {} KiB and was stopped: print less, or only "
+                     "for one pixel.",
+                     options_.limits.outputBytes / 1024));
+  if (options_.onText) options_.onText({chunk.data(), static_cast<std::size_t>(n)});
+}
+
+bool WorkerProcess::readCrash() {
+  CrashRecord record;
+  const ssize_t n = read(crash_.get(), &record, sizeof record);
+  if (n == 0) crash_.reset();
+  if (n != sizeof record || record.magic != CrashRecord::kMagic) return false;
+  record.text[sizeof record.text - 1] = 0;
+  record.frameCount = std::min<std::uint32_t>(record.frameCount, CrashRecord::kMaxFrames);
+  crashRecord_ = record;
+  return true;
+}
+
+std::vector<std::byte> WorkerProcess::awaitReply(
+    MessageKind kind, std::uint32_t sequence, std::uint64_t smallest, std::uint64_t largest,
+    const std::function<std::optional<int>()>& stalledThread) {
+  MessageHeader header;
+  std::vector<std::byte> bytes(sizeof header);
+  std::size_t got = 0;
+  bool haveHeader = false;
+  while (!haveHeader || got < bytes.size()) {
+    if (haveHeader && bytes.empty()) break;
+    if (const auto thread = stalledThread()) failStalled(*thread);
+    if (!pump(kPollMilliseconds, POLLIN)) continue;
+    const ssize_t n = recv(socket_.get(), bytes.data() + got, bytes.size() - got, MSG_DONTWAIT);
+    if (n < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+    if (n <= 0) failDead();
+    got += static_cast<std::size_t>(n);
+    if (haveHeader || got < bytes.size()) continue;
+    header = valueOf<MessageHeader>(bytes);
+    if (header.magic != kProtocolMagic || header.kind != kind || header.sequence != sequence ||
+        header.length < smallest || header.length > largest)
+      fail(WorkerFault::kNonsense,
+           "The worker gave an answer that does not fit the question: coursework must not write to "
+           "files or sockets that it has not opened, nor outside its arrays.");
+    haveHeader = true;
+    bytes.assign(header.length, std::byte{0});
+    got = 0;
+  }
+  return bytes;
+}
+
+// The socket is closed: the worker is dead or dying, and a crash record may still be on its way.
+void WorkerProcess::failDead() {
+  const auto deadline = Clock::now() + std::chrono::seconds(2);
+  socket_.reset();
+  while ((text_.get() >= 0 || crash_.get() >= 0) && Clock::now() < deadline)
+    pump(kPollMilliseconds, 0);
+  kill(-pid_, SIGKILL);
+  const int status = reap();
+  if (crashRecord_)
+    fail(WorkerFault::kCrashed,
+         crashSentence(*crashRecord_, options_.program, options_.courseworkFolder));
+  if (WIFSIGNALED(status))
+    fail(WorkerFault::kCrashed,
+         fmt::format("The coursework was ended by {}.", signalName(WTERMSIG(status))));
+  fail(WorkerFault::kEnded,
+       fmt::format("The worker ended by itself with exit code {}: coursework functions must "
+                   "return, and not call exit().",
+                   WEXITSTATUS(status)));
+}
+
+// Asks the thread where it is, and ends the worker.
+void WorkerProcess::failStalled(int thread) {
+  syscall(SYS_tgkill, pid_, thread, SIGUSR1);
+  const auto deadline = Clock::now() + std::chrono::seconds(1);
+  while (!crashRecord_ && crash_.get() >= 0 && Clock::now() < deadline)
+    pump(kPollMilliseconds, 0);
+  std::string where = "The coursework";
+  if (crashRecord_) {
+    const std::string place =
+        crashPlace(*crashRecord_, options_.program, options_.courseworkFolder);
+    if (!place.empty()) where = place;
+  }
+  fail(WorkerFault::kTimeLimit,
+       fmt::format("{}: no answer for {:g} s, stopped; is there a loop that never ends?", where,
+                   options_.limits.secondsWithoutAnswer));
+}
+
+void WorkerProcess::fail(WorkerFault fault, const std::string& sentence) {
+  closeAll();
+  throw WorkerError(fault, sentence);
+}
+
+}  // namespace pathmark

@@ -1,0 +1,121 @@
+// WorkerProcess: a worker as the host sees it, answers and all, none of them trusted.
+//
+//   start              a new worker, ready for requests
+//   stubs              functions that are still marked as unwritten
+//   loadScene          hands a scene over
+//   render             adds rays to a film
+//   call               calls a coursework function on given inputs
+//
+// Everything a worker can do wrong (crash, fall silent, print without end, end by itself, answer
+// nonsense) ends it and is thrown as a WorkerError whose text is a sentence for a student.
+#pragma once
+
+#include "host/shared_memory.h"
+#include "render/render_job.h"
+#include "scene/flat_scene.h"
+#include "worker/contract.h"
+#include "worker/protocol.h"
+
+#include <pathmark/unimplemented.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace pathmark {
+
+enum class WorkerFault {
+  kCrashed,
+  kTimeLimit,
+  kOutputLimit,
+  kEnded,     // by itself: exit() in coursework
+  kNonsense,  // an answer that does not fit the question
+};
+
+class WorkerError : public std::runtime_error {
+ public:
+  WorkerError(WorkerFault fault, const std::string& sentence)
+      : std::runtime_error(sentence), fault_(fault) {}
+  WorkerFault fault() const { return fault_; }
+
+ private:
+  WorkerFault fault_;
+};
+
+struct WorkerLimits {
+  double secondsWithoutAnswer = 10.0;  // of a call, or of a render thread within one pixel's pass
+  std::size_t outputBytes = 1024 * 1024;                 // that coursework may print
+  std::size_t memoryBytes = std::size_t{8} << 30;        // of address space
+};
+
+struct RenderProgress {
+  std::uint64_t pixelPassesDone = 0;
+  std::uint64_t raysTraced = 0;
+};
+
+class WorkerProcess {
+ public:
+  struct Options {
+    std::filesystem::path program;
+    std::filesystem::path courseworkFolder;  // for naming files in messages
+    WorkerLimits limits;
+    std::function<void(std::string_view)> onText;  // what the coursework prints
+  };
+
+  // Throws WorkerError, or std::system_error if the machine cannot start a process.
+  explicit WorkerProcess(Options options);
+  ~WorkerProcess();
+  WorkerProcess(const WorkerProcess&) = delete;
+  WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+  std::vector<StubRecord> stubs();
+  void loadScene(const FlatScene& scene);
+
+  // `onProgress` is called several times a second and returns whether to go on; if it does not,
+  // the film holds what was rendered until then.
+  RenderResult render(const RenderJob& job, SharedFilm& film,
+                      const std::function<bool(const RenderProgress&)>& onProgress);
+
+  // Words as described in contract.h; `inputs` holds any number of calls.
+  std::vector<std::uint32_t> call(CourseworkFunction function,
+                                  std::span<const std::uint32_t> object,
+                                  std::span<const std::uint32_t> inputs);
+
+  pid_t pid() const { return pid_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  class StallWatch;
+
+  std::uint32_t sendRequest(MessageKind kind, std::span<const std::byte> body, int descriptor);
+  void sendBytes(std::span<const std::byte> bytes, int descriptor);
+  std::vector<std::byte> awaitReply(MessageKind kind, std::uint32_t sequence,
+                                    std::uint64_t smallest, std::uint64_t largest,
+                                    const std::function<std::optional<int>()>& stalledThread);
+  std::optional<int> silentFor(Clock::time_point since) const;
+  bool pump(int timeoutMilliseconds, short socketEvents);
+  void readText();
+  bool readCrash();
+  [[noreturn]] void failDead();
+  [[noreturn]] void failStalled(int thread);
+  [[noreturn]] void fail(WorkerFault fault, const std::string& sentence);
+  int reap();
+  void closeAll();
+
+  Options options_;
+  pid_t pid_ = -1;
+  FileDescriptor socket_, text_, crash_;
+  std::uint32_t nextSequence_ = 1;
+  std::size_t textBytes_ = 0;
+  std::optional<CrashRecord> crashRecord_;
+  FileDescriptor sceneBlock_;
+};
+
+}  // namespace pathmark

@@ -1,0 +1,65 @@
+// FlatIntersector: every ray against every primitive, triangles sixteen at a time.
+//
+//   closest    the nearest primitive along a ray
+//   occluded   whether anything lies on a segment
+//
+// Triangles are tested watertight (Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection",
+// JCGT 2(1), 2013): the edge functions of a shared edge are evaluated from the same numbers, so
+// that no ray slips through between two triangles.
+#pragma once
+
+#include "scene/flat_scene.h"
+
+#include <pathmark/types.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pathmark {
+
+struct PrimitiveHit {
+  float t = 0.0f;
+  std::uint32_t index = 0;  // of the triangle or sphere in the scene
+  bool isSphere = false;
+  Vector barycentric{0.0f};  // of a triangle's vertices, summing to 1
+};
+
+class FlatIntersector {
+ public:
+  FlatIntersector(std::span<const FlatTriangle> triangles, std::span<const FlatSphere> spheres,
+                  std::span<const FlatShape> shapes);
+
+  // Returns whether the ray meets anything at t > 0, and then sets `hit` to the nearest.
+  bool closest(const Ray& ray, PrimitiveHit& hit) const;
+
+  // Returns whether anything lies on origin + t * segment, 0 < t < 1.
+  bool occluded(const Point& origin, const Vector& segment) const;
+
+ private:
+  static constexpr int kLanes = 16;
+
+  struct alignas(64) TriangleBlock {
+    float vertex[3][3][kLanes];    // [corner][axis][lane]; NaN where there is no triangle
+    float smallestArea[kLanes];    // signed projected area a hit must exceed: culls backs
+  };
+
+  struct SphereRecord {
+    Point centre;
+    float radius;
+    bool hideOutside, hideInside;  // sides through which rays pass
+  };
+
+  struct Shear;
+
+  static void intersectBlock(const TriangleBlock& block, const Shear& shear, float tMax,
+                             float (&t)[kLanes]);
+  static float intersectSphere(const SphereRecord& sphere, const Point& origin,
+                               const Vector& direction, float tMax);
+  Vector barycentrics(std::uint32_t triangle, const Shear& shear) const;
+
+  std::vector<TriangleBlock> blocks_;
+  std::vector<SphereRecord> spheres_;
+};
+
+}  // namespace pathmark

@@ -1,0 +1,50 @@
+// What a render asks of a worker, and what comes back; shared by the host and the worker.
+//
+//   FilmPixel       sums in double of what renderPixel returned
+//   RenderJob       which rays to make
+//   InvalidPixels   values that are no radiance, counted and kept out of the film
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pathmark {
+
+struct FilmPixel {
+  double sum[3] = {0.0, 0.0, 0.0};  // radiance times rays
+  double rays = 0.0;                // rays in the sum
+};
+
+enum class Estimator : std::uint32_t { kPath = 0, kWarmUp = 1 };
+
+struct RenderJob {
+  Estimator estimator = Estimator::kPath;
+  std::uint32_t threads = 1;
+  std::uint64_t seed = 0;
+  std::uint64_t firstRay = 0;  // of each pixel: a multiple of raysPerPass
+  std::uint64_t rays = 1;      // of each pixel, in this job
+  std::uint32_t raysPerPass = 1;
+};
+
+struct InvalidPixels {
+  static constexpr std::uint64_t kNone = ~std::uint64_t{0};
+
+  std::uint64_t nan = 0, infinite = 0, negative = 0;  // passes of pixels
+  std::uint64_t firstPixel = kNone;                   // lowest row * width + column
+
+  std::uint64_t count() const { return nan + infinite + negative; }
+
+  void add(const InvalidPixels& other) {
+    nan += other.nan;
+    infinite += other.infinite;
+    negative += other.negative;
+    firstPixel = std::min(firstPixel, other.firstPixel);
+  }
+};
+
+struct RenderResult {
+  std::uint64_t raysTraced = 0;  // camera, bounce and shadow rays
+  InvalidPixels invalid;
+};
+
+}  // namespace pathmark

@@ -1,0 +1,158 @@
+#include "render/render_tiles.h"
+
+#include "render/ray_count.h"
+#include "sampling/pcg_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+namespace pathmark {
+
+namespace {
+
+constexpr int kTileSize = 16;
+
+// Throughputs of long paths become denormal numbers, which are slow and carry no light.
+void flushDenormalsToZero() {
+#if defined(__SSE__)
+  constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+  _mm_setcsr(_mm_getcsr() | kFlushToZero | kDenormalsAreZero);
+#endif
+}
+
+class PixelRenderer {
+ public:
+  PixelRenderer(const SceneCore& core, const RenderJob& job)
+      : core_(core), job_(job), scene_(core, core.maxBounces()), sampler_(job.seed) {
+    if (job.estimator == Estimator::kWarmUp) warmUp_ = core.warmUpTriangles();
+  }
+
+  Colour render(int i, int j, std::uint64_t firstRay, std::uint32_t rays) {
+    sampler_.startPixel(i, j, firstRay);
+    if (job_.estimator == Estimator::kWarmUp) return warmUp(i, j, rays);
+    return scene_.renderPixel(i, j, core_.camera(), static_cast<int>(rays), sampler_);
+  }
+
+ private:
+  // The warm-up is rendered by the framework's own camera rays, so that it needs part 0 only.
+  Colour warmUp(int i, int j, std::uint32_t rays) {
+    const SimpleCamera& camera = core_.camera();
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t m = 0; m < rays; ++m) {
+      sampler_.startRay(static_cast<int>(m));
+      const vec2 film = vec2(i, j) + sampler_.next2D();
+      uvec2 seed(sampler_.next2D() * 0x1p24f);
+      const Vector direction = normalize(camera.topLeft() + film.x * camera.pixelRight() +
+                                         film.y * camera.pixelDown());
+      sum += get_ray_radiance(camera.eye(), direction, Mesh{warmUp_}, seed);
+      ++raysOfThisThread;
+    }
+    return sum / static_cast<double>(rays);
+  }
+
+  const SceneCore& core_;
+  const RenderJob& job_;
+  LitScene scene_;
+  PcgSampler sampler_;
+  std::vector<Triangle> warmUp_;
+};
+
+// Adds a pass of a pixel to the film, unless it is no radiance.
+void addToFilm(const Colour& mean, std::uint32_t rays, std::uint64_t pixel, FilmPixel& film,
+               InvalidPixels& invalid) {
+  const bool nan = std::isnan(mean.r) || std::isnan(mean.g) || std::isnan(mean.b);
+  const bool infinite = std::isinf(mean.r) || std::isinf(mean.g) || std::isinf(mean.b);
+  const bool negative = mean.r < 0.0f || mean.g < 0.0f || mean.b < 0.0f;
+  if (nan || infinite || negative) {
+    ++(nan ? invalid.nan : infinite ? invalid.infinite : invalid.negative);
+    invalid.firstPixel = std::min(invalid.firstPixel, pixel);
+    return;
+  }
+  for (int c = 0; c < 3; ++c) film.sum[c] += static_cast<double>(mean[c]) * rays;
+  film.rays += rays;
+}
+
+struct Tiles {
+  int columns, rows;
+  std::atomic<int> next{0};
+
+  explicit Tiles(const SimpleCamera& camera)
+      : columns((camera.width() + kTileSize - 1) / kTileSize),
+        rows((camera.height() + kTileSize - 1) / kTileSize) {}
+
+  bool take(int& tile) {
+    tile = next.fetch_add(1, std::memory_order_relaxed);
+    return tile < columns * rows;
+  }
+};
+
+// All passes of one pixel. Returns false when the host has asked to stop.
+bool renderPixelPasses(int i, int j, const RenderJob& job, PixelRenderer& renderer,
+                       std::uint64_t pixel, FilmPixel& film, InvalidPixels& invalid,
+                       const ProgressBoard& board, ThreadSlot& slot) {
+  slot.column.store(i, std::memory_order_relaxed);
+  slot.row.store(j, std::memory_order_relaxed);
+  for (std::uint64_t done = 0; done < job.rays; done += job.raysPerPass) {
+    if (board.cancel.load(std::memory_order_relaxed) != 0) return false;
+    const auto rays =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(job.raysPerPass, job.rays - done));
+    const Colour mean = renderer.render(i, j, job.firstRay + done, rays);
+    addToFilm(mean, rays, pixel, film, invalid);
+    slot.pixelsDone.fetch_add(1, std::memory_order_relaxed);
+    slot.raysTraced.store(raysOfThisThread, std::memory_order_relaxed);
+  }
+  return true;
+}
+
+}  // namespace
+
+RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span<FilmPixel> film,
+                         ProgressBoard& board, const std::function<void()>& onThreadStart) {
+  const int width = scene.camera().width(), height = scene.camera().height();
+  Tiles tiles(scene.camera());
+  std::vector<InvalidPixels> invalid(job.threads);
+
+  const auto work = [&](std::uint32_t index) {
+    flushDenormalsToZero();
+    onThreadStart();
+    raysOfThisThread = 0;
+    ThreadSlot& slot = board.threads[index];
+    slot.threadId.store(static_cast<std::int32_t>(gettid()), std::memory_order_relaxed);
+    PixelRenderer renderer(scene, job);
+    InvalidPixels found;
+    bool going = true;
+    for (int tile = 0; going && tiles.take(tile);) {
+      const int left = tile % tiles.columns * kTileSize, top = tile / tiles.columns * kTileSize;
+      for (int j = top; going && j < std::min(top + kTileSize, height); ++j)
+        for (int i = left; going && i < std::min(left + kTileSize, width); ++i) {
+          const auto pixel = static_cast<std::uint64_t>(j) * static_cast<std::uint64_t>(width) +
+                             static_cast<std::uint64_t>(i);
+          going = renderPixelPasses(i, j, job, renderer, pixel, film[pixel], found, board, slot);
+        }
+    }
+    invalid[index] = found;
+    slot.threadId.store(0, std::memory_order_relaxed);
+  };
+
+  {
+    std::vector<std::jthread> threads;
+    for (std::uint32_t k = 0; k < job.threads; ++k) threads.emplace_back(work, k);
+  }
+
+  RenderResult result;
+  for (std::uint32_t k = 0; k < job.threads; ++k) {
+    result.invalid.add(invalid[k]);
+    result.raysTraced += board.threads[k].raysTraced.load(std::memory_order_relaxed);
+  }
+  return result;
+}
+
+}  // namespace pathmark

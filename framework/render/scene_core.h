@@ -1,0 +1,53 @@
+// SceneCore: a worker's scene, built once from the host's arrays and then immutable.
+//
+// Holds what LitScene and its lights look at: BRDFs, lights, the intersector, the camera, and the
+// triangles of the warm-up. The block of memory behind the view must outlive it.
+#pragma once
+
+#include "intersect/flat_intersector.h"
+#include "scene/flat_scene.h"
+
+#include <pathmark/brdf.h>
+#include <pathmark/camera.h>
+#include <pathmark/lit_scene.h>
+#include <pathmark/warmup.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace pathmark {
+
+class SceneCore {
+ public:
+  explicit SceneCore(const FlatSceneView& view);
+  SceneCore(const SceneCore&) = delete;
+  SceneCore& operator=(const SceneCore&) = delete;
+
+  const SimpleCamera& camera() const { return camera_; }
+  int maxBounces() const { return maxBounces_; }
+  std::span<const Light> lights() const { return lights_; }
+  const BRDF& material(std::size_t i) const { return *materials_[i]; }
+  std::size_t materialCount() const { return materials_.size(); }
+
+  bool intersect(const Ray& ray, Hit& hit) const;
+  bool visible(const Hit& from, const LightSample& to) const;
+
+  // The scene's triangles in the form of part 0; spheres are left out.
+  std::vector<Triangle> warmUpTriangles() const;
+
+ private:
+  void buildLights();
+
+  FlatSceneView view_;
+  SimpleCamera camera_;
+  int maxBounces_;
+  FlatIntersector intersector_;
+  std::vector<std::unique_ptr<BRDF>> materials_;
+  std::vector<Point> lightVertices_;
+  std::vector<Light::Face> faces_;
+  std::vector<Light> lights_;
+  float lightMagnitude_ = 0.0f;  // largest coordinate of any light
+};
+
+}  // namespace pathmark

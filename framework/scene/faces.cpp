@@ -1,0 +1,92 @@
+#include "scene/faces.h"
+
+#include "scene/polygon.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace pathmark {
+namespace {
+
+// Areas below this times the square of the diameter are rounding.
+constexpr double kFlatArea = 1e-12;
+
+Face makeFace(std::vector<glm::dvec3> vertices, std::vector<TriangleIndices> triangles) {
+  const glm::dvec3 normal = newellVector(vertices);
+  const double length = glm::length(normal);
+  return {std::move(vertices), std::move(triangles),
+          length > 0.0 ? normal / length : glm::dvec3(0.0)};
+}
+
+void requireArea(const ShapeDescription& shape, const Place& place) {
+  const double size = diameter(shape.vertices);
+  if (glm::length(newellVector(shape.vertices)) <= kFlatArea * size * size) {
+    place.refuse("vertices that enclose no area",
+                 "a rectangle or polygon must not be a point or a line");
+  }
+}
+
+Face makeRectangle(const ShapeDescription& shape, const Place& place) {
+  if (!isParallelogram(shape.vertices, kShapeTolerance)) {
+    place.refuse("four vertices that are no parallelogram",
+                 "the fourth vertex of a rectangle must be v0 + v2 - v1; a \"quad\" may have any");
+  }
+  requireArea(shape, place);
+  return makeFace(shape.vertices, {{0, 1, 2}, {0, 2, 3}});
+}
+
+Face makePolygon(const ShapeDescription& shape, const Place& place) {
+  requireArea(shape, place);
+  const glm::dvec3 normal = glm::normalize(newellVector(shape.vertices));
+  const double distance = distanceFromPlane(shape.vertices, normal);
+  if (distance > kShapeTolerance * diameter(shape.vertices)) {
+    place.refuse("vertices that do not lie in one plane",
+                 "a polygon must be planar; build it from triangles instead");
+  }
+  const Outline outline = project(shape.vertices, normal);
+  if (const auto crossing = findCrossing(outline)) {
+    const auto [i, j] = *crossing;
+    const std::size_t n = outline.size();
+    place.refuse(fmt::format("that edge {}-{} meets edge {}-{}", i, (i + 1) % n, j, (j + 1) % n),
+                 "a polygon must not touch or cross itself");
+  }
+  auto triangles = triangulate(outline);
+  if (!triangles) {
+    place.refuse("a polygon that almost touches itself",
+                 "it must be simple enough to be cut into triangles");
+  }
+  return makeFace(shape.vertices, std::move(*triangles));
+}
+
+}  // namespace
+
+std::vector<Face> makeFaces(const ShapeDescription& shape, const Place& place) {
+  const Place vertices(place, "vertices");
+  const auto& p = shape.vertices;
+  std::vector<Face> faces;
+  switch (shape.kind) {
+    case ShapeKind::kTriangle:
+      faces.push_back(makeFace(p, {{0, 1, 2}}));
+      break;
+    case ShapeKind::kQuad:
+      if (isParallelogram(p, kShapeTolerance)) {
+        faces.push_back(makeFace(p, {{0, 1, 2}, {0, 2, 3}}));
+      } else {
+        faces.push_back(makeFace({p[0], p[1], p[2]}, {{0, 1, 2}}));
+        faces.push_back(makeFace({p[0], p[2], p[3]}, {{0, 1, 2}}));
+      }
+      break;
+    case ShapeKind::kRectangle:
+      faces.push_back(makeRectangle(shape, vertices));
+      break;
+    case ShapeKind::kPolygon:
+      faces.push_back(makePolygon(shape, vertices));
+      break;
+    case ShapeKind::kSphere:
+      break;
+  }
+  return faces;
+}
+
+}  // namespace pathmark

@@ -1,0 +1,19 @@
+// makeFilm: the camera's vectors from the eye to its film.
+#pragma once
+
+#include "scene/description.h"
+#include "scene/flat_scene.h"
+#include "scene/place.h"
+
+namespace pathmark {
+
+// Everything but FlatCamera::eye, from the camera in the coordinates of the file. The film stands
+// at distance 1, or nearer for a field of view so wide that it would be larger than 2. Its x runs
+// to the right as seen by the viewer, its y downwards; pixels are square. Throws SceneError if the
+// camera looks along its up vector.
+FlatCamera makeFilm(const CameraDescription& camera, int width, int height, const Place& place);
+
+// Whether neighbouring pixels of the film can be told apart in float.
+bool isResolved(const FlatCamera& camera);
+
+}  // namespace pathmark

@@ -1,0 +1,168 @@
+#include "scene/flatten.h"
+
+#include "scene/faces.h"
+#include "scene/to_float.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pathmark {
+namespace {
+
+// A triangle with less area than this times the square of its longest side is rounding.
+constexpr double kFlatArea = 1e-12;
+// In normalised coordinates, in which a scene's half extent is at least 1e-2.
+constexpr float kSmallestRadius = 1e-12f;
+
+std::uint32_t count(std::size_t n) { return static_cast<std::uint32_t>(n); }
+
+// What a worker sees of a triangle: its corners in float.
+double roundedArea(const Face& face, const TriangleIndices& t) {
+  const auto corner = [&](std::size_t k) { return toDouble3(toFloat3(face.vertices[t[k]])); };
+  const glm::dvec3 a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a;
+  const double doubled = glm::length(glm::cross(a, b));
+  const double longest = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)});
+  return doubled > kFlatArea * longest ? 0.5 * doubled : 0.0;
+}
+
+class Flattener {
+ public:
+  Flattener(const SceneDescription& scene, const Place& shapes, std::vector<std::string>& notes)
+      : scene_(scene), shapes_(shapes), notes_(notes) {}
+
+  FlatScene flatten() {
+    flat_.camera.eye = toFloat3(scene_.camera.eye);
+    flat_.maxBounces = static_cast<std::uint32_t>(scene_.maxBounces);
+    for (const MaterialDescription& m : scene_.materials) addMaterial(m);
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) addShape(i);
+    noteDropped();
+    return std::move(flat_);
+  }
+
+ private:
+  void addMaterial(const MaterialDescription& m) {
+    const bool phong = m.kind == MaterialKind::kPhong;
+    flat_.materials.push_back({phong ? FlatMaterialKind::kPhong : FlatMaterialKind::kLambertian,
+                               toFloat3(m.kd), toFloat3(m.ks), static_cast<float>(m.exponent)});
+  }
+
+  void addShape(std::size_t index) {
+    const ShapeDescription& shape = scene_.shapes[index];
+    const Place place(shapes_, index);
+    const Float3 emission = toFloat3(shape.emission);
+    const bool emits = emission != Float3{};
+    flat_.shapes.push_back({count(shape.material), shape.frontOnly ? 1u : 0u, emission});
+    if (shape.kind == ShapeKind::kSphere) {
+      addSphere(shape, place, emits);
+    } else {
+      addFaces(makeFaces(shape, place), shape, place, emits);
+    }
+  }
+
+  std::uint32_t currentShape() const { return count(flat_.shapes.size() - 1); }
+
+  void addSphere(const ShapeDescription& shape, const Place& place, bool emits) {
+    const auto radius = static_cast<float>(shape.radius);
+    if (radius < kSmallestRadius) {
+      Place(place, "radius")
+          .refuse("a radius that is almost nothing beside the rest of the scene",
+                  "it must be at least a part in a million million of it");
+    }
+    if (emits) {
+      FlatLight light;
+      light.sphere = count(flat_.spheres.size());
+      light.emission = flat_.shapes.back().emission;
+      flat_.lights.push_back(light);
+    }
+    flat_.spheres.push_back(
+        {toFloat3(shape.centre), radius, currentShape(), shape.inward ? 1u : 0u});
+  }
+
+  void addFaces(std::vector<Face> faces, const ShapeDescription& shape, const Place& place,
+                bool emits) {
+    for (Face& face : faces) {
+      const std::size_t dropped = std::erase_if(
+          face.triangles, [&](const TriangleIndices& t) { return roundedArea(face, t) == 0.0; });
+      if (dropped > 0) drop(dropped, shape, place);
+      for (const TriangleIndices& t : face.triangles) addTriangle(face, t);
+    }
+    std::erase_if(faces, [](const Face& face) { return face.triangles.empty(); });
+    const bool needsArea = shape.kind == ShapeKind::kRectangle || shape.kind == ShapeKind::kPolygon;
+    if (faces.empty() && needsArea) {
+      Place(place, "vertices")
+          .refuse("a shape that is almost nothing beside the rest of the scene",
+                  "it must be large enough for its corners to differ");
+    }
+    if (emits && !faces.empty()) addLight(faces);
+  }
+
+  void addTriangle(const Face& face, const TriangleIndices& t) {
+    FlatTriangle triangle;
+    for (std::size_t k = 0; k < 3; ++k) triangle.p[k] = toFloat3(face.vertices[t[k]]);
+    triangle.normal = toFloat3(face.normal);
+    triangle.shape = currentShape();
+    flat_.triangles.push_back(triangle);
+  }
+
+  void addLight(const std::vector<Face>& faces) {
+    std::vector<double> areas;
+    double total = 0.0;
+    for (const Face& face : faces) {
+      for (const TriangleIndices& t : face.triangles) total += roundedArea(face, t);
+      areas.push_back(total);
+    }
+    FlatLight light;
+    light.firstFace = count(flat_.faces.size());
+    light.faceCount = count(faces.size());
+    light.emission = flat_.shapes.back().emission;
+    flat_.lights.push_back(light);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const bool last = i + 1 == faces.size();
+      addLightFace(faces[i], last ? 1.0f : static_cast<float>(areas[i] / total));
+    }
+  }
+
+  void addLightFace(const Face& face, float cumulativeArea) {
+    flat_.faces.push_back({count(flat_.lightVertices.size()), count(face.vertices.size()),
+                           count(flat_.lightTriangles.size()), count(face.triangles.size()),
+                           toFloat3(face.normal), cumulativeArea});
+    for (const glm::dvec3& v : face.vertices) flat_.lightVertices.push_back(toFloat3(v));
+    flat_.lightTriangles.insert(flat_.lightTriangles.end(), face.triangles.begin(),
+                                face.triangles.end());
+  }
+
+  void drop(std::size_t triangles, const ShapeDescription& shape, const Place& place) {
+    if (dropped_ == 0) {
+      firstDropped_ = place.pointer();
+      if (!shape.name.empty()) firstDropped_ += fmt::format(" (\"{}\")", shape.name);
+    }
+    dropped_ += triangles;
+  }
+
+  void noteDropped() {
+    if (dropped_ == 0) return;
+    notes_.push_back(
+        dropped_ == 1 ? fmt::format("A triangle of zero area was left out, of {}.", firstDropped_)
+                      : fmt::format("{} triangles of zero area were left out, the "
+                                    "first of {}.",
+                                    dropped_, firstDropped_));
+  }
+
+  const SceneDescription& scene_;
+  const Place& shapes_;
+  std::vector<std::string>& notes_;
+  FlatScene flat_;
+  std::size_t dropped_ = 0;
+  std::string firstDropped_;
+};
+
+}  // namespace
+
+FlatScene flatten(const SceneDescription& scene, const Place& top,
+                  std::vector<std::string>& notes) {
+  return Flattener(scene, Place(top, "shapes"), notes).flatten();
+}
+
+}  // namespace pathmark

@@ -1,0 +1,35 @@
+#include "scene/place.h"
+
+#include "scene/load_scene.h"
+
+#include <fmt/format.h>
+
+namespace pathmark {
+
+std::string Place::pointer() const {
+  if (parent_ == nullptr) return {};
+  std::string text = parent_->pointer() + '/';
+  if (index_ != kNoIndex) return text + std::to_string(index_);
+  for (const char c : key_) {
+    if (c == '~') {
+      text += "~0";
+    } else if (c == '/') {
+      text += "~1";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+void Place::refuse(std::string_view sentence) const {
+  const std::string where = pointer();
+  throw SceneError(
+      fmt::format("{}{}{}: {}", file_->string(), where.empty() ? "" : ", ", where, sentence));
+}
+
+void Place::refuse(std::string_view found, std::string_view rule) const {
+  refuse(fmt::format("found {}, but {}.", found, rule));
+}
+
+}  // namespace pathmark

@@ -1,0 +1,331 @@
+// The only source that knows the JSON library.
+#include "scene/read_scene.h"
+
+#include "scene/load_scene.h"
+#include "scene/spelling.h"
+#include "scene/syntax_sentence.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace pathmark {
+namespace {
+
+using nlohmann::json;
+
+// A scene nests five deep; the limit keeps hostile files from costing memory.
+constexpr std::size_t kDeepestNesting = 16;
+
+// A first walk over the text that builds nothing: syntax, nesting, repeated keys.
+class SyntaxCheck final : public nlohmann::json_sax<json> {
+ public:
+  SyntaxCheck(std::string_view text, const std::filesystem::path& file)
+      : text_(text), file_(file) {}
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return open(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    if (!keys_.back().insert(name).second) {
+      refuse(fmt::format("the key {} stands twice in one object.", inQuotes(name)));
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::detail::exception& error) override {
+    refuse(syntaxSentence(text_, position, error.what()));
+  }
+
+ private:
+  bool open() {
+    if (keys_.size() == kDeepestNesting) {
+      refuse(fmt::format("found brackets nested more than {} deep, but a scene needs only five.",
+                         kDeepestNesting));
+    }
+    keys_.emplace_back();
+    return true;
+  }
+
+  bool close() {
+    keys_.pop_back();
+    return true;
+  }
+
+  [[noreturn]] void refuse(const std::string& sentence) const {
+    throw SceneError(fmt::format("{}: {}", file_.string(), sentence));
+  }
+
+  std::string_view text_;
+  const std::filesystem::path& file_;
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open; arrays have none
+};
+
+json parse(std::string_view text, const std::filesystem::path& file) {
+  SyntaxCheck check(text, file);
+  json::sax_parse(text.begin(), text.end(), &check, json::input_format_t::json, true, true);
+  return json::parse(text.begin(), text.end(), nullptr, true, true);
+}
+
+std::string describe(const json& value) {
+  switch (value.type()) {
+    case json::value_t::object:
+      return "an object { ... }";
+    case json::value_t::array:
+      return fmt::format("an array of {} {}", value.size(),
+                         value.size() == 1 ? "entry" : "entries");
+    case json::value_t::string:
+      return "the text " + inQuotes(value.get_ref<const std::string&>());
+    default:
+      return value.dump();
+  }
+}
+
+double number(const json& value, const Place& place) {
+  if (!value.is_number()) place.refuse(describe(value), "this must be a number");
+  return value.get<double>();
+}
+
+glm::dvec3 vector(const json& value, const Place& place) {
+  if (!value.is_array() || value.size() != 3) {
+    place.refuse(describe(value), "this must be three numbers [x, y, z] or [r, g, b]");
+  }
+  glm::dvec3 result(0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[static_cast<int>(i)] = number(value[i], Place(place, i));
+  }
+  return result;
+}
+
+const std::string& word(const json& value, const Place& place) {
+  if (!value.is_string()) place.refuse(describe(value), "this must be a text in quotes");
+  return value.get_ref<const std::string&>();
+}
+
+bool flag(const json& value, const Place& place) {
+  if (!value.is_boolean()) place.refuse(describe(value), "this must be true or false");
+  return value.get<bool>();
+}
+
+// An object of the file with a fixed set of keys. `what` names it in sentences: "a sphere".
+class Object {
+ public:
+  Object(const json& value, const Place& place, std::string_view what)
+      : value_(value), place_(place), what_(what) {
+    if (!value.is_object()) {
+      place.refuse(describe(value), fmt::format("{} must be an object {{ ... }}", what));
+    }
+  }
+
+  void allowOnly(std::initializer_list<std::string_view> keys) const {
+    for (const auto& entry : value_.items()) {
+      if (std::find(keys.begin(), keys.end(), entry.key()) != keys.end()) continue;
+      Place(place_, entry.key())
+          .refuse(fmt::format("found the key {}, but {} has no such key; it has {}.{}",
+                              inQuotes(entry.key()), what_, fmt::join(keys, ", "),
+                              didYouMean(entry.key(), std::span(keys.begin(), keys.size()))));
+    }
+  }
+
+  // Hands the value of a key to read(value, place), if the key is there.
+  template <typename Read>
+  void optional(std::string_view key, Read&& read) const {
+    const auto found = value_.find(key);
+    if (found != value_.end()) read(*found, Place(place_, key));
+  }
+
+  template <typename Read>
+  void required(std::string_view key, Read&& read) const {
+    if (!value_.contains(key)) {
+      place_.refuse(fmt::format("the key \"{}\" is missing, but {} must have it.", key, what_));
+    }
+    optional(key, read);
+  }
+
+  void optional(std::string_view key, double& result) const {
+    optional(key, [&](const json& v, const Place& p) { result = number(v, p); });
+  }
+  void optional(std::string_view key, glm::dvec3& result) const {
+    optional(key, [&](const json& v, const Place& p) { result = vector(v, p); });
+  }
+  void optional(std::string_view key, bool& result) const {
+    optional(key, [&](const json& v, const Place& p) { result = flag(v, p); });
+  }
+  void optional(std::string_view key, std::string& result) const {
+    optional(key, [&](const json& v, const Place& p) { result = word(v, p); });
+  }
+  void required(std::string_view key, double& result) const {
+    required(key, [&](const json& v, const Place& p) { result = number(v, p); });
+  }
+  void required(std::string_view key, glm::dvec3& result) const {
+    required(key, [&](const json& v, const Place& p) { result = vector(v, p); });
+  }
+
+  // Sets `result` to the entry of `choices` that the key names.
+  template <typename Choice, std::size_t N>
+  void requiredChoice(std::string_view key,
+                      const std::array<std::pair<std::string_view, Choice>, N>& choices,
+                      Choice& result) const {
+    required(key, [&](const json& v, const Place& p) {
+      std::array<std::string_view, N> names;
+      for (std::size_t i = 0; i < N; ++i) names[i] = choices[i].first;
+      const std::string& name = word(v, p);
+      const auto found = std::find(names.begin(), names.end(), name);
+      if (found == names.end()) {
+        p.refuse(fmt::format("found {}, but allowed is {}.{}", inQuotes(name),
+                             fmt::join(names, ", "), didYouMean(name, names)));
+      }
+      result = choices[static_cast<std::size_t>(found - names.begin())].second;
+    });
+  }
+
+ private:
+  const json& value_;
+  const Place& place_;
+  std::string what_;
+};
+
+CameraDescription readCamera(const json& value, const Place& place) {
+  const Object object(value, place, "a camera");
+  object.allowOnly({"eye", "target", "up", "fieldOfView"});
+  CameraDescription camera;
+  object.required("eye", camera.eye);
+  object.required("target", camera.target);
+  object.optional("up", camera.up);
+  object.required("fieldOfView", camera.fieldOfView);
+  return camera;
+}
+
+MaterialDescription readMaterial(const std::string& name, const json& value, const Place& place) {
+  static constexpr std::array<std::pair<std::string_view, MaterialKind>, 2> kKinds{
+      {{"lambertian", MaterialKind::kLambertian}, {"phong", MaterialKind::kPhong}}};
+  MaterialDescription material;
+  material.name = name;
+  Object(value, place, "a material").requiredChoice("type", kKinds, material.kind);
+  if (material.kind == MaterialKind::kLambertian) {
+    const Object object(value, place, "a lambertian material");
+    object.allowOnly({"type", "Kd"});
+    object.required("Kd", material.kd);
+  } else {
+    const Object object(value, place, "a phong material");
+    object.allowOnly({"type", "Kd", "Ks", "exponent"});
+    object.required("Kd", material.kd);
+    object.required("Ks", material.ks);
+    object.required("exponent", material.exponent);
+  }
+  return material;
+}
+
+std::size_t findMaterial(const std::string& name, const Place& place,
+                         const std::vector<MaterialDescription>& materials) {
+  // Sorted by name, as the library's objects are.
+  const auto found = std::lower_bound(
+      materials.begin(), materials.end(), name,
+      [](const MaterialDescription& m, const std::string& wanted) { return m.name < wanted; });
+  if (found == materials.end() || found->name != name) {
+    std::vector<std::string_view> names;
+    for (const MaterialDescription& m : materials) names.push_back(m.name);
+    place.refuse(fmt::format("found {}, but /materials has no material of this name.{}",
+                             inQuotes(name), didYouMean(name, names)));
+  }
+  return static_cast<std::size_t>(found - materials.begin());
+}
+
+std::vector<glm::dvec3> readVertices(const json& value, const Place& place) {
+  if (!value.is_array()) {
+    place.refuse(describe(value), "this must be an array of points [x, y, z]");
+  }
+  std::vector<glm::dvec3> vertices;
+  vertices.reserve(value.size());
+  for (const json& entry : value) vertices.push_back(vector(entry, Place(place, vertices.size())));
+  return vertices;
+}
+
+ShapeDescription readShape(const json& value, const Place& place,
+                           const std::vector<MaterialDescription>& materials) {
+  static constexpr std::array<std::pair<std::string_view, ShapeKind>, 5> kKinds{
+      {{"triangle", ShapeKind::kTriangle},
+       {"quad", ShapeKind::kQuad},
+       {"rectangle", ShapeKind::kRectangle},
+       {"polygon", ShapeKind::kPolygon},
+       {"sphere", ShapeKind::kSphere}}};
+  ShapeDescription shape;
+  const Object object(value, place, "a shape");
+  object.requiredChoice("type", kKinds, shape.kind);
+  if (shape.kind == ShapeKind::kSphere) {
+    const Object sphere(value, place, "a sphere");
+    sphere.allowOnly(
+        {"type", "name", "material", "emission", "frontOnly", "centre", "radius", "inward"});
+    sphere.required("centre", shape.centre);
+    sphere.required("radius", shape.radius);
+    sphere.optional("inward", shape.inward);
+  } else {
+    const Object flat(value, place,
+                      fmt::format("a {}", kKinds[static_cast<std::size_t>(shape.kind)].first));
+    flat.allowOnly({"type", "name", "material", "emission", "frontOnly", "vertices"});
+    flat.required("vertices",
+                  [&](const json& v, const Place& p) { shape.vertices = readVertices(v, p); });
+  }
+  object.required("material", [&](const json& v, const Place& p) {
+    shape.material = findMaterial(word(v, p), p, materials);
+  });
+  object.optional("emission", shape.emission);
+  object.optional("frontOnly", shape.frontOnly);
+  object.optional("name", shape.name);
+  return shape;
+}
+
+SceneDescription readParts(const json& value, const Place& top) {
+  const Object object(value, top, "a scene");
+  object.allowOnly({"$schema", "caption", "camera", "size", "maxBounces", "raysPerPixel",
+                    "exposure", "materials", "shapes"});
+  SceneDescription scene;
+  object.optional("$schema", [](const json& v, const Place& p) { word(v, p); });
+  object.optional("caption", scene.caption);
+  object.required("camera",
+                  [&](const json& v, const Place& p) { scene.camera = readCamera(v, p); });
+  object.optional("size", [&](const json& v, const Place& p) {
+    if (!v.is_array() || v.size() != 2) p.refuse(describe(v), "this must be [width, height]");
+    for (std::size_t i = 0; i < 2; ++i) scene.size[i] = number(v[i], Place(p, i));
+  });
+  object.optional("maxBounces", scene.maxBounces);
+  object.optional("raysPerPixel", scene.raysPerPixel);
+  object.optional("exposure", scene.exposure);
+  object.optional("materials", [&](const json& v, const Place& p) {
+    if (!v.is_object()) p.refuse(describe(v), "this must be an object of named materials");
+    for (const auto& m : v.items()) {
+      scene.materials.push_back(readMaterial(m.key(), m.value(), Place(p, m.key())));
+    }
+  });
+  object.required("shapes", [&](const json& v, const Place& p) {
+    if (!v.is_array()) p.refuse(describe(v), "this must be an array of shapes");
+    for (const json& s : v) {
+      scene.shapes.push_back(readShape(s, Place(p, scene.shapes.size()), scene.materials));
+    }
+  });
+  return scene;
+}
+
+}  // namespace
+
+SceneDescription readScene(std::string_view text, const std::filesystem::path& file) {
+  return readParts(parse(text, file), Place(file));
+}
+
+}  // namespace pathmark

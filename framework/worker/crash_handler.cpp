@@ -1,0 +1,165 @@
+#include "worker/crash_handler.h"
+
+#include "worker/protocol.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <typeinfo>
+
+#include <cxxabi.h>
+#include <execinfo.h>
+#include <pthread.h>
+#include <signal.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+// Where the linker put the start of the program.
+extern "C" const char __executable_start;  // NOLINT(bugprone-reserved-identifier)
+
+namespace pathmark {
+
+namespace {
+
+constexpr std::size_t kSignalStackBytes = 64 * 1024;
+constexpr std::uintptr_t kGuardBytes = 1024 * 1024;  // around the end of a stack
+
+struct ThreadStack {
+  std::unique_ptr<std::byte[]> signalStack;
+  std::uintptr_t lowest = 0;
+
+  ~ThreadStack() {
+    stack_t off{};
+    off.ss_flags = SS_DISABLE;
+    sigaltstack(&off, nullptr);
+  }
+};
+
+// Handlers have no arguments of their own: what they need is per thread or per process.
+thread_local ThreadStack threadStack;
+std::atomic_flag reported;
+
+std::uintptr_t instructionPointer(const void* context) {
+  [[maybe_unused]] const auto* uc = static_cast<const ucontext_t*>(context);
+#if defined(__x86_64__)
+  return static_cast<std::uintptr_t>(uc->uc_mcontext.gregs[REG_RIP]);
+#elif defined(__aarch64__)
+  return uc->uc_mcontext.pc;
+#else
+  return 0;
+#endif
+}
+
+// The frames from `start` outwards; all of them if it is not among them.
+void fillFrames(CrashRecord& record, std::uintptr_t start) {
+  void* addresses[CrashRecord::kMaxFrames + 8];
+  const int found = backtrace(addresses, static_cast<int>(std::size(addresses)));
+  void** const end = addresses + found;
+  void** first = std::find(addresses, end, reinterpret_cast<void*>(start));
+  const bool known = first != end;
+  if (!known) first = addresses;
+  const auto base = reinterpret_cast<std::uintptr_t>(&__executable_start);
+  for (void** a = first; a != end && record.frameCount < CrashRecord::kMaxFrames; ++a) {
+    // A return address lies behind its call; the address of the fault is made to look like one.
+    const std::uintptr_t exact = known && a == first ? 1 : 0;
+    record.frames[record.frameCount++] = reinterpret_cast<std::uintptr_t>(*a) + exact - base;
+  }
+}
+
+void send(const CrashRecord& record) {
+  if (reported.test_and_set()) {
+    // Another thread is reporting already and will end the process.
+    for (;;) pause();
+  }
+  [[maybe_unused]] const ssize_t written = write(kWorkerCrashPipe, &record, sizeof record);
+}
+
+[[noreturn]] void dieOf(int signal) {
+  ::signal(signal, SIG_DFL);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, signal);
+  pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
+  raise(signal);
+  _exit(128 + signal);
+}
+
+bool isStackOverflow(int signal, const siginfo_t& info) {
+  if (signal != SIGSEGV && signal != SIGBUS) return false;
+  const auto address = reinterpret_cast<std::uintptr_t>(info.si_addr);
+  const std::uintptr_t lowest = threadStack.lowest;
+  return lowest != 0 && address + kGuardBytes >= lowest && address < lowest + kGuardBytes;
+}
+
+void onSignal(int signal, siginfo_t* info, void* context) {
+  CrashRecord record;
+  record.signal = signal;
+  if (signal == SIGUSR1)
+    record.kind = CrashKind::kWhereabouts;
+  else if (isStackOverflow(signal, *info))
+    record.kind = CrashKind::kStackOverflow;
+  fillFrames(record, instructionPointer(context));
+  send(record);
+  dieOf(signal == SIGUSR1 ? SIGKILL : signal);
+}
+
+void onTerminate() {
+  CrashRecord record;
+  record.kind = CrashKind::kException;
+  record.signal = SIGABRT;
+  if (const std::exception_ptr thrown = std::current_exception()) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const std::exception& e) {
+      int status = 0;
+      const std::unique_ptr<char, decltype(&std::free)> name(
+          abi::__cxa_demangle(typeid(e).name(), nullptr, nullptr, &status), &std::free);
+      std::strncpy(record.text, status == 0 ? name.get() : typeid(e).name(), 100);
+      std::strcat(record.text, ": ");
+      std::strncat(record.text, e.what(), sizeof record.text - std::strlen(record.text) - 1);
+    } catch (...) {
+      std::strcpy(record.text, "a value that is no std::exception");
+    }
+  }
+  fillFrames(record, 0);
+  send(record);
+  dieOf(SIGABRT);
+}
+
+}  // namespace
+
+void prepareThreadForCrashes() {
+  threadStack.signalStack = std::make_unique<std::byte[]>(kSignalStackBytes);
+  stack_t stack{};
+  stack.ss_sp = threadStack.signalStack.get();
+  stack.ss_size = kSignalStackBytes;
+  sigaltstack(&stack, nullptr);
+
+  pthread_attr_t attributes;
+  if (pthread_getattr_np(pthread_self(), &attributes) == 0) {
+    void* lowest = nullptr;
+    std::size_t size = 0;
+    pthread_attr_getstack(&attributes, &lowest, &size);
+    threadStack.lowest = reinterpret_cast<std::uintptr_t>(lowest);
+    pthread_attr_destroy(&attributes);
+  }
+}
+
+void installCrashHandlers() {
+  // The first call loads the unwinder, which a signal handler must not do.
+  void* warmUp[1];
+  backtrace(warmUp, 1);
+
+  struct sigaction action{};
+  action.sa_sigaction = onSignal;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  sigfillset(&action.sa_mask);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGUSR1})
+    sigaction(signal, &action, nullptr);
+  std::set_terminate(onTerminate);
+}
+
+}  // namespace pathmark
