@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <system_error>
 #include <thread>
-
-#include <unistd.h>
 
 namespace pathmark {
 
@@ -62,103 +63,105 @@ const std::string& toolchainStamp() {
   return all;
 }
 
-struct Scratch {
-  fs::path path;
-  explicit Scratch(const fs::path& final)
-      : path(final.string() + fmt::format(".{}.{}", getpid(), nextNumber())) {}
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
+// A folder of its own for one step of the work, gone afterwards.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (kBuildFolder / "workers/scratch.XXXXXX").string();
+    fs::create_directories(kBuildFolder / "workers");
+    if (!mkdtemp(name.data()))
+      throw std::system_error(errno, std::generic_category(), "making a folder in build/");
+    path_ = name;
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder() {
     std::error_code error;
-    fs::remove(path, error);
+    fs::remove_all(path_, error);
   }
-  static unsigned nextNumber() {
-    static std::atomic<unsigned> number{0};
-    return number++;
-  }
+  fs::path operator/(const fs::path& name) const { return path_ / name; }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
 };
 
-// The compiler is told the folder's full name, for the debugger; people see the name they gave.
-std::string shortenPaths(std::string text, const fs::path& folder) {
-  const std::string full = fs::absolute(folder).string() + "/";
-  const std::string brief = fs::proximate(folder).string() + "/";
-  for (std::size_t at = 0; (at = text.find(full, at)) != std::string::npos; at += brief.size())
-    text.replace(at, full.size(), brief);
+std::string folderPrefix(const fs::path& folder) {
+  return fs::absolute(folder).lexically_normal().string() + "/";
+}
+
+// What the compiler says of the copy, said of the file that people know.
+std::string nameOriginal(std::string text, const ScratchFolder& scratch, const fs::path& folder) {
+  const std::string from = scratch.path().string() + "/";
+  const std::string to = fs::proximate(folder).string() + "/";
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
   return text;
 }
 
-// As a string literal of C++.
-std::string quoted(const std::string& text) {
-  std::string literal = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') literal += '\\';
-    literal += c;
-  }
-  return literal + "\"";
-}
-
-// Compiles to an object in which only the names of the contract are visible: a helper function
-// with the name of another part's helper, or of a library function, replaces nothing.
-bool compileObject(const std::string& code, const fs::path& source, const fs::path& object,
-                   std::string& messages) {
-  const fs::path emptyFolder = kBuildFolder / "workers/empty";
-  fs::create_directories(emptyFolder);
-  const Scratch raw(object.string() + ".raw"), merged(object.string() + ".merged");
-
-  ProcessRequest compile;
-  compile.arguments.emplace_back(build::kCompiler);
-  for (const std::string_view flag : build::kCourseworkFlags) compile.arguments.emplace_back(flag);
+std::vector<std::string> compileCommand(const fs::path& source, const fs::path& object,
+                                        const std::string& prefixMap) {
+  std::vector<std::string> command{std::string(build::kCompiler)};
+  for (const std::string_view flag : build::kCourseworkFlags) command.emplace_back(flag);
   for (const fs::path& include :
        {kBuildFolder / "precompiled", kProjectFolder / "framework/include"})
-    compile.arguments.push_back("-I" + include.string());
-  for (const char* argument : {"-x", "c++", "-c", "-", "-o"})
-    compile.arguments.emplace_back(argument);
-  compile.arguments.push_back(raw.path.string());
-  compile.folder = emptyFolder;
-  compile.input = fmt::format("#line 1 {}\n", quoted(fs::absolute(source).string())) + code;
-  const ProcessResult compiled = runProcess(compile);
-  messages = compiled.output;
+    command.push_back("-I" + include.string());
+  for (const std::string& argument :
+       {"-ffile-prefix-map=" + prefixMap, std::string("-c"), source.string(), std::string("-o"),
+        object.string()})
+    command.push_back(argument);
+  return command;
+}
+
+// Compiles a copy that is alone in its folder, so that no other file can be included, to an object
+// in which only the names of the contract are visible: a helper function with the name of another
+// part's helper, or of a library function, replaces nothing.
+bool compileObject(const std::string& code, const fs::path& source, const fs::path& object,
+                   std::string& messages) {
+  const ScratchFolder scratch;
+  const fs::path copy = scratch / source.filename(), raw = scratch / "raw.o",
+                 merged = scratch / "merged.o";
+  std::ofstream(copy, std::ios::binary) << code;
+  const fs::path folder = source.parent_path();
+  const ProcessResult compiled = runProcess(
+      {compileCommand(copy, raw, scratch.path().string() + "/=" + folderPrefix(folder)), {}, {}});
+  if (!compiled.output.empty()) messages = "\n" + nameOriginal(compiled.output, scratch, folder);
   if (compiled.timedOut) messages += "The compiler was stopped after 120 s.\n";
   if (compiled.exitCode != 0) return false;
 
   // Groups of inline functions are dissolved first: a hidden function must not be one half of a
   // group that the linker drops in favour of another object's.
-  const ProcessResult group =
-      runProcess({{std::string(build::kLd), "-r", "--force-group-allocation", "-o",
-                   merged.path.string(), raw.path.string()},
-                  {},
-                  {}});
-  const ProcessResult hide =
-      group.exitCode != 0
-          ? group
-          : runProcess({{std::string(build::kObjcopy),
-                         "--keep-global-symbols=" + kContractSymbols.string(), merged.path.string()},
-                        {},
-                        {}});
-  if (hide.exitCode != 0) {
-    messages += hide.output;
+  ProcessResult step = runProcess({{std::string(build::kLd), "-r", "--force-group-allocation", "-o",
+                                    merged.string(), raw.string()},
+                                   {},
+                                   {}});
+  if (step.exitCode == 0)
+    step = runProcess({{std::string(build::kObjcopy),
+                        "--keep-global-symbols=" + kContractSymbols.string(), merged.string()},
+                       {},
+                       {}});
+  if (step.exitCode != 0) {
+    messages += step.output;
     return false;
   }
-  fs::rename(merged.path, object);
+  fs::rename(merged, object);
   return true;
 }
 
 void buildPart(PartBuild& part, fs::path& object) {
   std::error_code error;
   if (fs::file_size(part.source, error) > kLargestSource && !error) {
-    part.messages = fmt::format("{} is larger than 1 MiB; a coursework file has a few kilobytes.\n",
-                                part.source.string());
+    part.messages = "it is larger than 1 MiB, and coursework files have a few kilobytes.";
     return;
   }
   const std::optional<std::string> code = readFile(part.source);
   if (!code) {
-    part.messages = fmt::format(
-        "{} cannot be read; a coursework folder holds the same part*.cpp files as student/.\n",
-        part.source.string());
+    part.messages = "it cannot be read; a coursework folder holds the same files as student/.";
     return;
   }
   const std::string key =
-      contentHash(toolchainStamp() + fs::absolute(part.source).string() + "\n" + *code);
+      contentHash(toolchainStamp() + folderPrefix(part.source.parent_path()) +
+                                      part.source.filename().string() + "\n" + *code);
   const fs::path folder = kBuildFolder / "workers/objects";
   fs::create_directories(folder);
   object = folder / (key + ".o");
@@ -167,7 +170,6 @@ void buildPart(PartBuild& part, fs::path& object) {
     return;
   }
   part.compiled = compileObject(*code, part.source, object, part.messages);
-  part.messages = shortenPaths(part.messages, part.source.parent_path());
 }
 
 void buildParts(std::vector<PartBuild>& parts, std::vector<fs::path>& objects) {
@@ -193,7 +195,8 @@ void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
     return;
   }
   fs::create_directories(folder);
-  const Scratch scratch(worker);
+  const ScratchFolder scratch;
+  const fs::path made = scratch / "worker";
   ProcessRequest request;
   request.arguments.emplace_back(build::kCompiler);
   for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
@@ -201,14 +204,14 @@ void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
   if (!result.complete()) request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
   request.arguments.emplace_back("-pthread");
   request.arguments.emplace_back("-o");
-  request.arguments.push_back(scratch.path.string());
+  request.arguments.push_back(made.string());
   request.arguments.insert(request.arguments.end(), framework.begin(), framework.end());
   for (const fs::path& object : objects)
     if (!object.empty()) request.arguments.push_back(object.string());
   const ProcessResult linked = runProcess(request);
   result.linkMessages = linked.output;
   if (linked.exitCode != 0) return;
-  fs::rename(scratch.path, worker);
+  fs::rename(made, worker);
   result.worker = worker;
 }
 
@@ -220,13 +223,10 @@ bool CourseworkBuild::complete() const {
 
 std::string CourseworkBuild::failure() const {
   std::string text;
-  for (const PartBuild& p : parts) {
-    if (p.compiled) continue;
-    const bool read = p.messages.find("cannot be read") == std::string::npos;
-    text += read ? fmt::format("{} does not compile:\n{}", fs::proximate(p.source).string(),
-                               p.messages)
-                 : p.messages;
-  }
+  for (const PartBuild& p : parts)
+    if (!p.compiled)
+      text += fmt::format("{} does not compile: {}\n", fs::proximate(p.source).string(), p.messages);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
   if (text.empty() && worker.empty())
     text = fmt::format("{} compiles but does not link:\n{}", fs::proximate(folder).string(),
                        linkMessages);

@@ -41,6 +41,8 @@ std::vector<Frame> frames(const CrashRecord& record, const fs::path& program) {
 
 // "pathmark::LitScene::tracePath(pathmark::Ray const&, ...) const" -> "LitScene::tracePath".
 std::string briefName(std::string function) {
+  if (function.starts_with("_GLOBAL__sub_I") || function.starts_with("__static_initialization"))
+    return "the initial value of a global variable";
   for (const std::string_view space : {"pathmark::", "(anonymous namespace)::"})
     while (function.rfind(space, 0) == 0) function.erase(0, space.size());
   return function.substr(0, function.find('('));
@@ -51,10 +53,14 @@ std::string whatHappened(const CrashRecord& record) {
     case CrashKind::kStackOverflow:
       return "stack overflow; is there a recursion that never ends?";
     case CrashKind::kException:
-      return fmt::format("an exception that nobody caught: {}",
+      if (std::string_view(record.text).starts_with("std::bad_alloc"))
+        return "memory ran out (std::bad_alloc); does an array grow without end?";
+      return fmt::format("an exception that nobody caught, {}.",
                          std::string_view(record.text).substr(0, 200));
+    case CrashKind::kExit:
+      return "exit() was called; coursework functions return, and never end the program.";
     default:
-      return signalName(record.signal);
+      return signalName(record.signal) + ".";
   }
 }
 
@@ -97,7 +103,7 @@ std::string crashPlace(const CrashRecord& record, const fs::path& program,
 std::string crashSentence(const CrashRecord& record, const fs::path& program,
                           const fs::path& courseworkFolder) {
   const std::string place = crashPlace(record, program, courseworkFolder);
-  return fmt::format("{}: {}.", place.empty() ? "The coursework crashed" : place,
+  return fmt::format("{}: {}", place.empty() ? "The coursework crashed" : place,
                      whatHappened(record));
 }
 

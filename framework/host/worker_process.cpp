@@ -344,12 +344,10 @@ void WorkerProcess::failStalled(int thread) {
   const auto deadline = Clock::now() + std::chrono::seconds(1);
   while (!crashRecord_ && crash_.get() >= 0 && Clock::now() < deadline)
     pump(kPollMilliseconds, 0);
-  std::string where = "The coursework";
-  if (crashRecord_) {
-    const std::string place =
-        crashPlace(*crashRecord_, options_.program, options_.courseworkFolder);
-    if (!place.empty()) where = place;
-  }
+  std::string where;
+  if (crashRecord_)
+    where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder);
+  if (where.empty()) where = "The coursework";
   fail(WorkerFault::kTimeLimit,
        fmt::format("{}: no answer for {:g} s, stopped; is there a loop that never ends?", where,
                    options_.limits.secondsWithoutAnswer));

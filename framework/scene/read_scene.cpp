@@ -1,7 +1,6 @@
 // The only source that knows the JSON library.
 #include "scene/read_scene.h"
 
-#include "scene/load_scene.h"
 #include "scene/spelling.h"
 #include "scene/syntax_sentence.h"
 
@@ -26,59 +25,77 @@ constexpr std::size_t kDeepestNesting = 16;
 // A first walk over the text that builds nothing: syntax, nesting, repeated keys.
 class SyntaxCheck final : public nlohmann::json_sax<json> {
  public:
-  SyntaxCheck(std::string_view text, const std::filesystem::path& file)
-      : text_(text), file_(file) {}
+  SyntaxCheck(std::string_view text, const Place& top) : text_(text), top_(top) {}
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return open(); }
-  bool start_array(std::size_t) override { return open(); }
+  bool null() override { return passValue(); }
+  bool boolean(bool) override { return passValue(); }
+  bool number_integer(number_integer_t) override { return passValue(); }
+  bool number_unsigned(number_unsigned_t) override { return passValue(); }
+  bool number_float(number_float_t, const string_t&) override { return passValue(); }
+  bool string(string_t&) override { return passValue(); }
+  bool binary(binary_t&) override { return passValue(); }
+  bool start_object(std::size_t) override { return open(false); }
+  bool start_array(std::size_t) override { return open(true); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
-    if (!keys_.back().insert(name).second) {
-      refuse(fmt::format("the key {} stands twice in one object.", inQuotes(name)));
+    levels_.back().key = name;
+    if (!levels_.back().keys.insert(name).second) {
+      refuseHere(top_, 0, fmt::format("the key {} stands twice in one object.", inQuotes(name)));
     }
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    refuse(syntaxSentence(text_, position, error.what()));
+    top_.refuse(syntaxSentence(text_, position, error.what()));
   }
 
  private:
-  bool open() {
-    if (keys_.size() == kDeepestNesting) {
-      refuse(fmt::format("found brackets nested more than {} deep, but a scene needs only five.",
-                         kDeepestNesting));
+  // An array or object that is open, and where in it the walk is.
+  struct Level {
+    bool isArray;
+    std::size_t index = 0;
+    std::string key{};
+    std::set<std::string> keys{};
+  };
+
+  bool passValue() {
+    if (!levels_.empty()) ++levels_.back().index;
+    return true;
+  }
+
+  bool open(bool isArray) {
+    if (levels_.size() == kDeepestNesting) {
+      refuseHere(
+          top_, 0,
+          fmt::format("found brackets nested more than {} deep, but a scene needs only five.",
+                      kDeepestNesting));
     }
-    keys_.emplace_back();
+    levels_.push_back({isArray});
     return true;
   }
 
   bool close() {
-    keys_.pop_back();
-    return true;
+    levels_.pop_back();
+    return passValue();
   }
 
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw SceneError(fmt::format("{}: {}", file_.string(), sentence));
+  [[noreturn]] void refuseHere(const Place& place, std::size_t level,
+                               const std::string& sentence) const {
+    if (level == levels_.size()) place.refuse(sentence);
+    const Level& l = levels_[level];
+    refuseHere(l.isArray ? Place(place, l.index) : Place(place, l.key), level + 1, sentence);
   }
 
   std::string_view text_;
-  const std::filesystem::path& file_;
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open; arrays have none
+  const Place& top_;
+  std::vector<Level> levels_;
 };
 
-json parse(std::string_view text, const std::filesystem::path& file) {
-  SyntaxCheck check(text, file);
+json parse(std::string_view text, const Place& top) {
+  SyntaxCheck check(text, top);
   json::sax_parse(text.begin(), text.end(), &check, json::input_format_t::json, true, true);
   return json::parse(text.begin(), text.end(), nullptr, true, true);
 }
@@ -325,7 +342,8 @@ SceneDescription readParts(const json& value, const Place& top) {
 }  // namespace
 
 SceneDescription readScene(std::string_view text, const std::filesystem::path& file) {
-  return readParts(parse(text, file), Place(file));
+  const Place top(file);
+  return readParts(parse(text, top), top);
 }
 
 }  // namespace pathmark

@@ -47,8 +47,7 @@ std::string_view nearestName(std::string_view word, std::span<const std::string_
   for (const std::string_view name : names) {
     if (name.size() > kLongestWord) continue;
     const std::size_t distance = editDistance(word, name);
-    const std::size_t allowed = std::max<std::size_t>(1, name.size() / 3);
-    if (distance <= allowed && distance < fewest && distance < name.size()) {
+    if (distance <= name.size() / 3 && distance < fewest) {
       fewest = distance;
       nearest = name;
     }

@@ -68,7 +68,7 @@ void validateMaterial(const MaterialDescription& material, const Place& place) {
     const double sum = material.kd[i] + material.ks[i];
     if (sum > 1.0 + kReflectanceSlack) {
       place.refuse(fmt::format("Kd + Ks = {} in channel {}", sum, i),
-                   "a surface that reflects more light than it receives is not allowed: at most 1");
+                   "a surface cannot reflect more light than it receives: at most 1");
     }
   }
   if (!(material.exponent >= 0.0 && material.exponent <= kLargestExponent)) {

@@ -41,6 +41,7 @@ struct ThreadStack {
 // Handlers have no arguments of their own: what they need is per thread or per process.
 thread_local ThreadStack threadStack;
 std::atomic_flag reported;
+std::atomic<bool> finished{false};
 
 std::uintptr_t instructionPointer(const void* context) {
   [[maybe_unused]] const auto* uc = static_cast<const ucontext_t*>(context);
@@ -106,6 +107,14 @@ void onSignal(int signal, siginfo_t* info, void* context) {
   dieOf(signal == SIGUSR1 ? SIGKILL : signal);
 }
 
+void onExit() {
+  if (finished) return;
+  CrashRecord record;
+  record.kind = CrashKind::kExit;
+  fillFrames(record, 0);
+  send(record);
+}
+
 void onTerminate() {
   CrashRecord record;
   record.kind = CrashKind::kException;
@@ -148,7 +157,10 @@ void prepareThreadForCrashes() {
   }
 }
 
-void installCrashHandlers() {
+namespace {
+
+// Before the constructors of the coursework's own global variables, which may crash too.
+[[gnu::constructor(101)]] void installCrashHandlers() {
   // The first call loads the unwinder, which a signal handler must not do.
   void* warmUp[1];
   backtrace(warmUp, 1);
@@ -160,6 +172,12 @@ void installCrashHandlers() {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGUSR1})
     sigaction(signal, &action, nullptr);
   std::set_terminate(onTerminate);
+  std::atexit(onExit);
+  prepareThreadForCrashes();
 }
+
+}  // namespace
+
+void finishWorker() { finished = true; }
 
 }  // namespace pathmark

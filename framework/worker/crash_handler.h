@@ -1,13 +1,16 @@
 // Reports the death of a worker: which signal, and where.
+//
+// The handlers for the process (fatal signals, uncaught exceptions, exit(), and SIGUSR1, "where
+// are you?") install themselves before the program's own constructors run.
 #pragma once
 
 namespace pathmark {
 
-// For the whole process: fatal signals, uncaught exceptions, and SIGUSR1 ("where are you?").
-void installCrashHandlers();
-
 // For the calling thread: a stack of its own for signal handlers, without which a stack overflow
 // could not be reported, and the bounds by which one is recognised.
 void prepareThreadForCrashes();
+
+// From here on the end of the program is meant.
+void finishWorker();
 
 }  // namespace pathmark

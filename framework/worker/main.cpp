@@ -114,9 +114,8 @@ void serve() {
 }  // namespace pathmark
 
 int main() {
-  pathmark::installCrashHandlers();
-  pathmark::prepareThreadForCrashes();
   pathmark::sendHello();
   pathmark::serve();
+  pathmark::finishWorker();
   return 0;
 }

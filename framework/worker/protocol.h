@@ -78,6 +78,7 @@ enum class CrashKind : std::uint32_t {
   kStackOverflow = 2,
   kException = 3,
   kWhereabouts = 4,
+  kExit = 5,  // coursework called exit()
 };
 
 struct CrashRecord {

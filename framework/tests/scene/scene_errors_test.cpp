@@ -96,11 +96,17 @@ const Case kCases[] = {
      "line 18, column 98",
      {"ends here"}},
     {"bad_utf8", "A test", "A \xff test", "line 2, column 17", {"UTF-8"}},
-    {"repeated_key",
-     "\"exposure\": 2",
-     "\"exposure\": 2, \"exposure\": 3",
-     ".json",
-     {"exposure", "twice"}},
+    {"repeated_key", "\"exposure\": 2", "\"exposure\": 2, \"exposure\": 3", "/exposure", {"twice"}},
+    {"repeated_key_of_a_shape",
+     "\"radius\": 1.5",
+     "\"radius\": 1.5, \"radius\": 3",
+     "/shapes/3/radius",
+     {"twice"}},
+    {"deep_vertex",
+     "[1, 0, 0]",
+     "[[[[[[[[[[[[[[1]]]]]]]]]]]]]]",
+     "/0",
+     {"nested", "/shapes/0/vertices/1/0/0"}},
     // Keys
     {"unknown_key",
      "\"raysPerPixel\"",
@@ -160,13 +166,21 @@ const Case kCases[] = {
      "/shapes/3/centre",
      {"array of 2 entries", "three numbers"}},
     {"text_in_vertex", "[1, 0, 0]", "[1, \"0\", 0]", "/shapes/0/vertices/1/1", {"number"}},
-    {"shapes_as_object", "\"shapes\": [", "\"shapes\": {}, \"x\": [", "/x", {"no such key"}},
     {"shape_as_number",
      "{\"type\": \"triangle\"",
      "7, {\"type\": \"triangle\"",
      "/shapes/0",
      {"found 7", "object"}},
-    {"camera_as_array", "{\"eye\"", "[], \"x\": {\"eye\"", "/x", {"no such key"}},
+    {"camera_as_array",
+     "{\"eye\": [0, 0, 5], \"target\": [0, 0, 0], \"up\": [0, 1, 0], \"fieldOfView\": 45}",
+     "[]",
+     "/camera",
+     {"array of 0 entries", "a camera must be an object"}},
+    {"material_as_array",
+     "{\"type\": \"lambertian\", \"Kd\": [0.7, 0.7, 0.7]}",
+     "[0.7, 0.7, 0.7]",
+     "/materials/white",
+     {"a material must be an object"}},
     {"size_of_three", "[64, 48]", "[64, 48, 1]", "/size", {"[width, height]"}},
     // Values
     {"negative_radius", "1.5", "-1", "/shapes/3/radius", {"found -1", "above 0"}},
@@ -328,6 +342,16 @@ TEST(SceneErrorsOfFiles, OtherKindsOfJsonAreNoScene) {
     expectOneSentence(message);
     EXPECT_NE(message.find("a scene must be an object"), std::string::npos) << message;
   }
+}
+
+TEST(SceneErrorsOfFiles, ShapesMustBeAnArrayAndMaterialsAnObject) {
+  const std::string shapes = errorOf(
+      R"({"camera": {"eye": [0,0,5], "target": [0,0,0], "fieldOfView": 45}, "shapes": {}})");
+  EXPECT_NE(shapes.find("/shapes: found an object"), std::string::npos) << shapes;
+  const std::string materials = errorOf(
+      R"({"camera": {"eye": [0,0,5], "target": [0,0,0], "fieldOfView": 45}, "shapes": [],
+          "materials": []})");
+  EXPECT_NE(materials.find("/materials: found an array"), std::string::npos) << materials;
 }
 
 TEST(SceneErrorsOfFiles, LongAndStrangeTextIsShownShortAndClean) {
