@@ -64,7 +64,7 @@ LightSample Sphere::sample(const Point& /*from*/, float /*s*/, float /*t*/) cons
   return {centre() + Vector(radius(), 0.0f, 0.0f), Vector(1.0f, 0.0f, 0.0f), 0.0f};
 }
 
-// Part 2.5 (handout section 2.4): the density of Sphere::sample, by itself.
+// Part 2.5 (handout section 2.5): the density of Sphere::sample, by itself.
 //
 //   from   the point x that is lit
 //   p, n   a point of the sphere and the outward normal there
@@ -75,7 +75,7 @@ float Sphere::pdf(const Point& /*from*/, const Point& /*p*/, const Vector& /*n*/
   return 0.0f;
 }
 
-// Part 2.6 (handout section 2.5): the light that comes straight from the lights and is reflected
+// Part 2.6 (handout section 2.6): the light that comes straight from the lights and is reflected
 // once, at `hit`.
 //
 // For each light of lights(), one point y from light.sample(hit.p, s, t), and the sum of

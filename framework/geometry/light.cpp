@@ -14,12 +14,13 @@ LightSample samplePolygon(const Polygon& polygon, float s, float t) {
     case 3:
       return polygon.TriangularSampling(s, t);
     case 4: {
-      // Two triangles cover every quadrilateral; only a parallelogram comes as a rectangle.
+      // As far from a parallelogram as a scene's rectangles may be, and the rounding of corners.
+      constexpr float kTolerance = 2e-5f;
       const Vector gap = (polygon.p(0) - polygon.p(1)) + (polygon.p(2) - polygon.p(3));
       const float extent = largestComponent(polygon.p(2) - polygon.p(0)) +
                            largestComponent(polygon.p(3) - polygon.p(1));
-      const float magnitude = std::max(largestComponent(polygon.p(0)), extent);
-      if (largestComponent(gap) <= 8.0f * kUnitRoundoff * magnitude)
+      const float rounding = 8.0f * kUnitRoundoff * largestComponent(polygon.p(0));
+      if (largestComponent(gap) <= kTolerance * extent + rounding)
         return polygon.RectangularSampling(s, t);
       return polygon.PolygonSampling(s, t);
     }

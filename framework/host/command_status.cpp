@@ -43,7 +43,7 @@ std::optional<std::string> showPart(const PartBuild& part, const StubReport& rep
   const std::string title = fmt::format("Part {}  {:<44}", part.part.part, part.part.title);
   if (!part.compiled) {
     fmt::print("{} does not compile\n", title);
-    return fmt::format("mend {}, which does not compile:\n{}", file, part.messages);
+    return fmt::format("mend {}, which does not compile:{}", file, part.messages);
   }
   fmt::print("{} {} of {} written\n", title, all.size() - missing.size(), all.size());
   for (const FunctionContract& f : missing)

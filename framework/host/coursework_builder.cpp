@@ -151,12 +151,12 @@ bool compileObject(const std::string& code, const fs::path& source, const fs::pa
 void buildPart(PartBuild& part, fs::path& object) {
   std::error_code error;
   if (fs::file_size(part.source, error) > kLargestSource && !error) {
-    part.messages = "it is larger than 1 MiB, and coursework files have a few kilobytes.";
+    part.messages = " it is larger than 1 MiB, and coursework files have a few kilobytes.";
     return;
   }
   const std::optional<std::string> code = readFile(part.source);
   if (!code) {
-    part.messages = "it cannot be read; a coursework folder holds the same files as student/.";
+    part.messages = " it cannot be read; a coursework folder holds the same files as student/.";
     return;
   }
   const std::string key =
@@ -164,12 +164,9 @@ void buildPart(PartBuild& part, fs::path& object) {
                                       part.source.filename().string() + "\n" + *code);
   const fs::path folder = kBuildFolder / "workers/objects";
   fs::create_directories(folder);
-  object = folder / (key + ".o");
-  if (fs::exists(object)) {
-    part.compiled = true;
-    return;
-  }
-  part.compiled = compileObject(*code, part.source, object, part.messages);
+  const fs::path made = folder / (key + ".o");
+  part.compiled = fs::exists(made) || compileObject(*code, part.source, made, part.messages);
+  if (part.compiled) object = made;
 }
 
 void buildParts(std::vector<PartBuild>& parts, std::vector<fs::path>& objects) {
@@ -201,7 +198,11 @@ void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
   request.arguments.emplace_back(build::kCompiler);
   for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
   if (!build::kLinkerFlag.empty()) request.arguments.emplace_back(build::kLinkerFlag);
-  if (!result.complete()) request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
+  if (!result.complete()) {
+    // Addresses that are not known at all can stay zero only in a program that is not moved.
+    request.arguments.emplace_back("-no-pie");
+    request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
+  }
   request.arguments.emplace_back("-pthread");
   request.arguments.emplace_back("-o");
   request.arguments.push_back(made.string());
@@ -225,11 +226,10 @@ std::string CourseworkBuild::failure() const {
   std::string text;
   for (const PartBuild& p : parts)
     if (!p.compiled)
-      text += fmt::format("{} does not compile: {}\n", fs::proximate(p.source).string(), p.messages);
+      text += fmt::format("{} does not compile:{}\n", fs::proximate(p.source).string(), p.messages);
+  if (worker.empty() && !linkMessages.empty())
+    text += fmt::format("{} does not link:\n{}", fs::proximate(folder).string(), linkMessages);
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  if (text.empty() && worker.empty())
-    text = fmt::format("{} compiles but does not link:\n{}", fs::proximate(folder).string(),
-                       linkMessages);
   return text;
 }
 

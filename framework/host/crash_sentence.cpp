@@ -48,6 +48,14 @@ std::string briefName(std::string function) {
   return function.substr(0, function.find('('));
 }
 
+// What an exception says comes from coursework: control characters would reach the terminal.
+std::string printable(std::string_view text) {
+  std::string clean(text.substr(0, 200));
+  for (char& c : clean)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return clean;
+}
+
 std::string whatHappened(const CrashRecord& record) {
   switch (record.kind) {
     case CrashKind::kStackOverflow:
@@ -56,7 +64,7 @@ std::string whatHappened(const CrashRecord& record) {
       if (std::string_view(record.text).starts_with("std::bad_alloc"))
         return "memory ran out (std::bad_alloc); does an array grow without end?";
       return fmt::format("an exception that nobody caught, {}.",
-                         std::string_view(record.text).substr(0, 200));
+                         printable(record.text));
     case CrashKind::kExit:
       return "exit() was called; coursework functions return, and never end the program.";
     default:

@@ -315,6 +315,8 @@ std::vector<std::byte> WorkerProcess::awaitReply(
     bytes.assign(header.length, std::byte{0});
     got = 0;
   }
+  // What was printed before the answer is there already.
+  pump(0, 0);
   return bytes;
 }
 

@@ -9,9 +9,6 @@
 namespace pathmark {
 namespace {
 
-// Areas below this times the square of the diameter are rounding.
-constexpr double kFlatArea = 1e-12;
-
 Face makeFace(std::vector<glm::dvec3> vertices, std::vector<TriangleIndices> triangles) {
   const glm::dvec3 normal = newellVector(vertices);
   const double length = glm::length(normal);

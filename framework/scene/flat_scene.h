@@ -101,7 +101,8 @@ struct FlatSceneView {
 std::vector<std::byte> packScene(const FlatScene& scene);
 
 // The block must be aligned to 16 bytes and must outlive the view. Returns nothing if the block
-// is too short for what its header says or was written by another version.
+// is too short for what its header says, was written by another version, or has an index that
+// points outside its array.
 std::optional<FlatSceneView> viewScene(std::span<const std::byte> block);
 
 }  // namespace pathmark

@@ -1,18 +1,18 @@
 #include "scene/flatten.h"
 
 #include "scene/faces.h"
+#include "scene/polygon.h"
 #include "scene/to_float.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace pathmark {
 namespace {
 
-// A triangle with less area than this times the square of its longest side is rounding.
-constexpr double kFlatArea = 1e-12;
 // In normalised coordinates, in which a scene's half extent is at least 1e-2.
 constexpr float kSmallestRadius = 1e-12f;
 

@@ -18,6 +18,9 @@
 
 namespace pathmark {
 
+// An area below this times the square of the longest side is rounding.
+inline constexpr double kFlatArea = 1e-12;
+
 // Newell's method (Sutherland, Sproull & Schumacker 1974): exact for planar polygons, concave ones
 // too, and the best fit for others. Points to the side from which the vertices run
 // counter-clockwise.

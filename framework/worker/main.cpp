@@ -9,7 +9,7 @@
 
 #include <pathmark/unimplemented.h>
 
-#include <cstring>
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -114,6 +114,8 @@ void serve() {
 }  // namespace pathmark
 
 int main() {
+  // What coursework prints is seen when it is printed, also if it crashes next.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   pathmark::sendHello();
   pathmark::serve();
   pathmark::finishWorker();

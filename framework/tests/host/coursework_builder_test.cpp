@@ -1,0 +1,127 @@
+// From a folder of files to a worker: what is compiled, what is kept, what is refused.
+#include "host/coursework_builder.h"
+#include "support/test_coursework_files.h"
+
+#include <gtest/gtest.h>
+
+namespace pathmark::test {
+namespace {
+
+TEST(CourseworkBuilder, NothingIsCompiledTwice) {
+  TestCoursework coursework;
+  const CourseworkBuild first = buildCoursework(coursework.folder());
+  ASSERT_FALSE(first.worker.empty()) << first.failure();
+  const auto made = std::filesystem::last_write_time(first.worker);
+  const CourseworkBuild second = buildCoursework(coursework.folder());
+  EXPECT_EQ(second.worker, first.worker);
+  EXPECT_EQ(std::filesystem::last_write_time(second.worker), made);
+}
+
+TEST(CourseworkBuilder, AChangedFileGivesAnotherWorker) {
+  TestCoursework coursework;
+  const auto first = buildCoursework(coursework.folder()).worker;
+  coursework.setTracePath("(void)ray; (void)sampler; return Colour(0.125f);");
+  EXPECT_NE(buildCoursework(coursework.folder()).worker, first);
+}
+
+TEST(CourseworkBuilder, AnErrorNamesFileAndLineAndGivesNoWorker) {
+  TestCoursework coursework;
+  coursework.setTracePath("return not_declared;");
+  const CourseworkBuild build = buildCoursework(coursework.folder());
+  EXPECT_TRUE(build.worker.empty());
+  EXPECT_NE(build.failure().find("part5_path.cpp does not compile"), std::string::npos);
+  EXPECT_NE(build.failure().find("part5_path.cpp:4:8: error"), std::string::npos)
+      << build.failure();
+}
+
+TEST(CourseworkBuilder, TheOtherPartsOfABrokenCourseworkCanBeAskedForTheirStubs) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp",
+                     "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+                     "  PATHMARK_UNIMPLEMENTED(\"part6_roulette.cpp\", "
+                     "\"LitScene::RussianRoulette\");\n  return {true, 1.0f};\n}");
+  coursework.setFile("part3_lambertian.cpp", "this is not C++");
+  const CourseworkBuild build =
+      buildCoursework(coursework.folder(), Incomplete::kLeaveThemOut);
+  ASSERT_FALSE(build.worker.empty());
+  EXPECT_FALSE(build.complete());
+  WorkerProcess::Options options;
+  options.program = build.worker;
+  EXPECT_EQ(WorkerProcess(std::move(options)).stubs().size(), 1u);
+}
+
+TEST(CourseworkBuilder, AMissingFunctionReturnValueIsAnErrorNotAWarning) {
+  TestCoursework coursework;
+  coursework.setTracePath("(void)ray; (void)sampler;");
+  EXPECT_TRUE(buildCoursework(coursework.folder()).worker.empty());
+}
+
+TEST(CourseworkBuilder, AMissingFileIsNamed) {
+  TestCoursework coursework;
+  std::filesystem::remove(coursework.folder() / "part4_phong.cpp");
+  const CourseworkBuild build = buildCoursework(coursework.folder());
+  EXPECT_TRUE(build.worker.empty());
+  EXPECT_NE(build.failure().find("part4_phong.cpp"), std::string::npos);
+  EXPECT_NE(build.failure().find("cannot be read"), std::string::npos);
+}
+
+TEST(CourseworkBuilder, AFunctionThatIsNotThereIsNamed) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp", "");
+  const CourseworkBuild build = buildCoursework(coursework.folder());
+  EXPECT_TRUE(build.worker.empty());
+  EXPECT_NE(build.failure().find("RussianRoulette"), std::string::npos) << build.failure();
+}
+
+// A helper file would vanish when the coursework is marked.
+TEST(CourseworkBuilder, OtherFilesOfTheFolderCannotBeIncluded) {
+  TestCoursework coursework;
+  coursework.write("helper.h", "");
+  coursework.setFile("part6_roulette.cpp", "}\n#include \"helper.h\"\nnamespace pathmark {");
+  EXPECT_NE(buildCoursework(coursework.folder()).failure().find("helper.h"), std::string::npos);
+}
+
+// The names of helpers belong to their file alone: two parts may use the same, and a function
+// named like one of the C library or of the framework replaces nothing.
+TEST(CourseworkBuilder, HelpersOfTheSameNameDoNotClash) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp",
+                     "float helper() { return 1.0f; }\n"
+                     "struct Helper { virtual ~Helper() = default; virtual float f() { return 1; } };\n"
+                     "template <class T> T shared() { return T(0.25); }\n"
+                     "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+                     "  Helper h; return {true, helper() * h.f() * shared<float>()};\n}");
+  coursework.setFile("part5_path.cpp",
+                     "float helper() { return 2.0f; }\n"
+                     "struct Helper { virtual ~Helper() = default; virtual float f() { return 3; } };\n"
+                     "template <class T> T shared() { return T(0.5); }\n"
+                     "bool viewScene() { return false; }\n"
+                     "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                     "  Helper h;\n"
+                     "  return Colour(helper() * h.f() * shared<float>(),\n"
+                     "                RussianRoulette(Colour(1), 1, 0).weight, viewScene());\n}\n"
+                     "}\nextern \"C\" int raise(int) { return 0; }\n"
+                     "extern \"C\" void* malloc(decltype(sizeof 0)) { return nullptr; }\n"
+                     "namespace pathmark {");
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(1, 1));
+  const std::vector<std::uint32_t> inputs(8, 0);
+  const auto words = worker->call(CourseworkFunction::kTracePath, {}, inputs);
+  ASSERT_EQ(words.size(), 3u);
+  EXPECT_EQ(std::bit_cast<float>(words[0]), 3.0f);
+  EXPECT_EQ(std::bit_cast<float>(words[1]), 0.25f);
+  EXPECT_EQ(std::bit_cast<float>(words[2]), 0.0f);
+}
+
+TEST(CourseworkBuilder, FoldersWithAwkwardNamesWork) {
+  TestCoursework coursework;
+  const std::filesystem::path awkward = coursework.folder() / "a b \"c\" $d=e";
+  std::filesystem::create_directory(awkward);
+  for (const PartContract& part : parts())
+    std::filesystem::copy_file(coursework.folder() / part.file, awkward / part.file);
+  const CourseworkBuild build = buildCoursework(awkward);
+  EXPECT_FALSE(build.worker.empty()) << build.failure();
+}
+
+}  // namespace
+}  // namespace pathmark::test

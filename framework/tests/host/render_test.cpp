@@ -1,0 +1,106 @@
+// What a render promises whatever the coursework is.
+#include "host/render_loop.h"
+#include "host/stub_report.h"
+#include "support/test_coursework_files.h"
+
+#include <gtest/gtest.h>
+
+namespace pathmark::test {
+namespace {
+
+RenderedImage render(WorkerProcess& worker, std::uint64_t rays, std::uint32_t threads,
+                     std::uint64_t seed) {
+  RenderSettings settings;
+  settings.width = 37;
+  settings.height = 21;
+  settings.raysPerPixel = rays;
+  settings.threads = threads;
+  settings.seed = seed;
+  return renderImage(worker, settings, [](const RenderStatus&) { return true; });
+}
+
+TEST(Render, ImageHasTheSameBitsForAnyNumberOfThreads) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(37, 21));
+  const RenderedImage one = render(*worker, 150, 1, 5);
+  EXPECT_EQ(one.raysPerPixel, 150.0);
+  for (const std::uint32_t threads : {2u, 3u, 8u, 64u})
+    EXPECT_EQ(render(*worker, 150, threads, 5).image.rgb, one.image.rgb) << threads;
+}
+
+TEST(Render, SeedsGiveDifferentImagesAndTheSameSeedTheSame) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(37, 21));
+  EXPECT_EQ(render(*worker, 4, 2, 1).image.rgb, render(*worker, 4, 2, 1).image.rgb);
+  EXPECT_NE(render(*worker, 4, 2, 1).image.rgb, render(*worker, 4, 2, 2).image.rgb);
+}
+
+// The pass sees its rays as 0 ... P-1, and each ray of the pixel has numbers of its own.
+TEST(Render, PassesContinueTheNumbersOfAPixel) {
+  TestCoursework coursework;
+  coursework.setFile("part1_stratified.cpp",
+                     "Ray SimpleCamera::StratifiedRandomRay(int, int, int, int, int, float,\n"
+                     "                                      float) const { return {}; }\n"
+                     "Colour LitScene::renderPixel(int, int, const SimpleCamera&, int n,\n"
+                     "                             Sampler& sampler) const {\n"
+                     "  sampler.startRay(0);\n"
+                     "  return Colour(sampler.next1D(), static_cast<float>(n), 0.0f);\n}");
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(37, 21));
+  const Image one = render(*worker, 64, 1, 0).image, two = render(*worker, 128, 1, 0).image;
+  EXPECT_NE(one.rgb[0], two.rgb[0]);
+  EXPECT_EQ(one.rgb[1], 64.0f);
+  const Image rest = render(*worker, 100, 1, 0).image;
+  EXPECT_FLOAT_EQ(rest.rgb[1], (64.0f * 64.0f + 36.0f * 36.0f) / 100.0f);
+}
+
+TEST(Render, CancellingKeepsWhatThereIs) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(37, 21));
+  RenderSettings settings;
+  settings.width = 37;
+  settings.height = 21;
+  settings.raysPerPixel = 1000000000;
+  settings.threads = 2;
+  const RenderedImage image = renderImage(
+      *worker, settings, [](const RenderStatus& status) { return status.seconds < 0.5; });
+  EXPECT_FALSE(image.complete);
+  EXPECT_GT(image.raysPerPixel, 64.0);
+  EXPECT_LT(image.raysPerPixel, 1e9);
+  EXPECT_NEAR(image.image.rgb[0], 0.5f, 0.2f);
+  EXPECT_EQ(render(*worker, 4, 2, 1).raysPerPixel, 4.0) << "the worker can go on";
+}
+
+TEST(Render, WarmUpUsesPartZeroOnly) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(8, 8));
+  RenderSettings settings;
+  settings.width = settings.height = 8;
+  settings.estimator = Estimator::kWarmUp;
+  const RenderedImage image =
+      renderImage(*worker, settings, [](const RenderStatus&) { return true; });
+  for (const float value : image.image.rgb) EXPECT_EQ(value, 0.75f);
+}
+
+TEST(Render, UnwrittenFunctionsAreKnownByTheirMarkerNotTheirValue) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp",
+                     "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+                     "  PATHMARK_UNIMPLEMENTED(\"part6_roulette.cpp\", "
+                     "\"LitScene::RussianRoulette\");\n  return {true, 1.0f};\n}");
+  const StubReport report = makeStubReport(coursework.start()->stubs());
+  ASSERT_EQ(report.unwritten.size(), 1u);
+  EXPECT_EQ(report.unwritten[0].function, CourseworkFunction::kRussianRoulette);
+}
+
+TEST(Render, FullyWrittenCourseworkHasNoMarkers) {
+  TestCoursework coursework;
+  EXPECT_TRUE(makeStubReport(coursework.start()->stubs()).unwritten.empty());
+}
+
+}  // namespace
+}  // namespace pathmark::test

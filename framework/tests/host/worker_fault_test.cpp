@@ -1,0 +1,224 @@
+// Whatever coursework does wrong is told in a sentence that names function, file and line; the
+// worker is gone afterwards, and the host goes on.
+#include "host/render_loop.h"
+#include "support/test_coursework_files.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace pathmark::test {
+namespace {
+
+WorkerLimits shortLimits() {
+  WorkerLimits limits;
+  limits.secondsWithoutAnswer = 1.0;
+  return limits;
+}
+
+struct Failure {
+  WorkerFault fault = WorkerFault::kNonsense;
+  std::string sentence;
+};
+
+RenderedImage renderWith(WorkerProcess& worker, int size = 32, std::uint32_t threads = 2) {
+  worker.loadScene(emptyScene(size, size));
+  RenderSettings settings;
+  settings.width = settings.height = size;
+  settings.raysPerPixel = 4;
+  settings.threads = threads;
+  return renderImage(worker, settings, [](const RenderStatus&) { return true; });
+}
+
+Failure failureOf(TestCoursework& coursework) {
+  const auto worker = coursework.start(shortLimits());
+  const pid_t pid = worker->pid();
+  try {
+    renderWith(*worker);
+  } catch (const WorkerError& e) {
+    EXPECT_NE(kill(pid, 0), 0) << "the worker is still there";
+    return {e.fault(), e.what()};
+  }
+  ADD_FAILURE() << "nothing was reported";
+  return {};
+}
+
+void expectContains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(WorkerFault, SegmentationFaultNamesFunctionFileAndLine) {
+  TestCoursework coursework;
+  coursework.setTracePath("(void)ray;\nif (sampler.next1D() < 0.01f)\n  *(volatile int*)nullptr = 1;"
+                          "\nreturn Colour(0.0f);");
+  const Failure failure = failureOf(coursework);
+  EXPECT_EQ(failure.fault, WorkerFault::kCrashed);
+  expectContains(failure.sentence, "part5_path.cpp:6, in LitScene::tracePath");
+  expectContains(failure.sentence, "SIGSEGV");
+}
+
+TEST(WorkerFault, EndlessLoopIsStoppedAndNamesItsLine) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp",
+                     "Roulette LitScene::RussianRoulette(const Colour&, int, float u) const {\n"
+                     "  volatile float x = u;\n"
+                     "  while (x < 2.0f) x = u;\n"
+                     "  return {true, x};\n}");
+  coursework.setTracePath("(void)ray; return Colour(RussianRoulette(Colour(1.0f), 1, "
+                          "sampler.next1D()).weight);");
+  const Failure failure = failureOf(coursework);
+  EXPECT_EQ(failure.fault, WorkerFault::kTimeLimit);
+  expectContains(failure.sentence, "part6_roulette.cpp:5, in LitScene::RussianRoulette");
+  expectContains(failure.sentence, "no answer for 1 s");
+}
+
+TEST(WorkerFault, OneLoopingThreadIsNoticedWhileOthersWork) {
+  TestCoursework coursework;
+  coursework.setTracePath("(void)sampler;\nvolatile float x = ray.direction.x;\n"
+                          "if (x < -0.55f) while (x < 2.0f) {}\nreturn Colour(0.0f);");
+  EXPECT_EQ(failureOf(coursework).fault, WorkerFault::kTimeLimit);
+}
+
+TEST(WorkerFault, StackOverflowIsNamed) {
+  TestCoursework coursework;
+  coursework.setTracePath("volatile float big[100] = {sampler.next1D()};\n"
+                          "return tracePath(ray, sampler) + big[7];");
+  const Failure failure = failureOf(coursework);
+  EXPECT_EQ(failure.fault, WorkerFault::kCrashed);
+  expectContains(failure.sentence, "in LitScene::tracePath: stack overflow");
+}
+
+TEST(WorkerFault, ExceptionIsReportedWithWhatItSays) {
+  TestCoursework coursework;
+  coursework.write("part5_path.cpp",
+                   "#include <pathmark/coursework.h>\n#include <stdexcept>\nnamespace pathmark {\n"
+                   "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                   "  throw std::out_of_range(\"no such light\");\n}\n}\n");
+  const Failure failure = failureOf(coursework);
+  EXPECT_EQ(failure.fault, WorkerFault::kCrashed);
+  expectContains(failure.sentence, "part5_path.cpp:5");
+  expectContains(failure.sentence, "std::out_of_range: no such light");
+}
+
+TEST(WorkerFault, AbortIsNamed) {
+  TestCoursework coursework;
+  coursework.setTracePath("(void)ray; (void)sampler; std::abort();");
+  expectContains(failureOf(coursework).sentence, "SIGABRT");
+}
+
+TEST(WorkerFault, ExitIsNamed) {
+  TestCoursework coursework;
+  coursework.setTracePath("(void)ray; (void)sampler;\nstd::exit(0);");
+  const Failure failure = failureOf(coursework);
+  expectContains(failure.sentence, "part5_path.cpp:5, in LitScene::tracePath: exit() was called");
+}
+
+TEST(WorkerFault, QuickExitIsNotMistakenForAnAnswer) {
+  TestCoursework coursework;
+  coursework.setTracePath("(void)ray; (void)sampler; std::_Exit(0);");
+  const Failure failure = failureOf(coursework);
+  EXPECT_EQ(failure.fault, WorkerFault::kEnded);
+  expectContains(failure.sentence, "ended by itself with exit code 0");
+}
+
+TEST(WorkerFault, PrintingWithoutEndIsStopped) {
+  TestCoursework coursework;
+  coursework.write("part5_path.cpp",
+                   "#include <pathmark/coursework.h>\n#include <cstdio>\nnamespace pathmark {\n"
+                   "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                   "  for (int i = 0; i < 1000; ++i) std::puts(\"a line of debugging output\");\n"
+                   "  return Colour(0.0f);\n}\n}\n");
+  EXPECT_EQ(failureOf(coursework).fault, WorkerFault::kOutputLimit);
+}
+
+TEST(WorkerFault, EndlessAllocationEndsInASentence) {
+  TestCoursework coursework;
+  coursework.write("part5_path.cpp",
+                   "#include <pathmark/coursework.h>\n#include <vector>\nnamespace pathmark {\n"
+                   "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                   "  std::vector<float> v(std::size_t(1) << 42);\n"
+                   "  return Colour(v[12345]);\n}\n}\n");
+  const Failure failure = failureOf(coursework);
+  EXPECT_EQ(failure.fault, WorkerFault::kCrashed);
+}
+
+TEST(WorkerFault, LoopBeforeMainIsStopped) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp",
+                     "static int spin() { volatile int i = 0; while (i == 0) {} return i; }\n"
+                     "int spun = spin();\n"
+                     "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+                     "  return {true, 1.0f};\n}");
+  try {
+    coursework.start(shortLimits());
+    FAIL() << "nothing was reported";
+  } catch (const WorkerError& e) {
+    EXPECT_EQ(e.fault(), WorkerFault::kTimeLimit);
+  }
+}
+
+TEST(WorkerFault, ScribblingOnTheWireIsNonsense) {
+  TestCoursework coursework;
+  coursework.write("part5_path.cpp",
+                   "#include <pathmark/coursework.h>\n#include <unistd.h>\nnamespace pathmark {\n"
+                   "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                   "  const char text[64] = \"nonsense\";\n"
+                   "  return Colour(static_cast<float>(write(3, text, sizeof text)));\n}\n}\n");
+  EXPECT_EQ(failureOf(coursework).fault, WorkerFault::kNonsense);
+}
+
+TEST(WorkerFault, InvalidRadianceIsCountedLocatedAndKeptOutOfTheImage) {
+  TestCoursework coursework;
+  coursework.setFile("part1_stratified.cpp",
+                     "Ray SimpleCamera::StratifiedRandomRay(int, int, int, int, int, float,\n"
+                     "                                      float) const { return {}; }\n"
+                     "Colour LitScene::renderPixel(int i, int j, const SimpleCamera&, int,\n"
+                     "                             Sampler&) const {\n"
+                     "  if (j == 3 && i >= 5) return Colour(0.5f, std::sqrt(-1.0f - i * i), 0.5f);\n"
+                     "  if (j == 7 && i == 2) return Colour(1.0f / static_cast<float>(i - 2));\n"
+                     "  if (j == 9 && i == 4) return Colour(-0.25f);\n"
+                     "  return Colour(0.5f);\n}");
+  const auto worker = coursework.start();
+  const RenderedImage rendered = renderWith(*worker, 16);
+  EXPECT_EQ(rendered.invalid.nan, 11u);
+  EXPECT_EQ(rendered.invalid.infinite, 1u);
+  EXPECT_EQ(rendered.invalid.negative, 1u);
+  EXPECT_EQ(rendered.invalid.firstPixel, 3u * 16u + 5u);
+  for (const float value : rendered.image.rgb) EXPECT_TRUE(value == 0.0f || value == 0.5f);
+  EXPECT_EQ(rendered.image.invalid[3 * 16 + 5], 1);
+  EXPECT_EQ(rendered.image.invalid[0], 0);
+}
+
+TEST(WorkerFault, ACallThatNeverReturnsIsStopped) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp",
+                     "Roulette LitScene::RussianRoulette(const Colour&, int, float u) const {\n"
+                     "  volatile float x = u;\n  while (x < 2.0f) x = u;\n  return {true, x};\n}");
+  const auto worker = coursework.start(shortLimits());
+  worker->loadScene(emptyScene(4, 4));
+  const std::vector<std::uint32_t> inputs(5, 0);
+  try {
+    worker->call(CourseworkFunction::kRussianRoulette, {}, inputs);
+    FAIL() << "nothing was reported";
+  } catch (const WorkerError& e) {
+    EXPECT_EQ(e.fault(), WorkerFault::kTimeLimit);
+    expectContains(e.what(), "part6_roulette.cpp:5");
+  }
+}
+
+TEST(WorkerFault, AnObjectThatDoesNotFitTheFunctionIsRefused) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  const std::vector<std::uint32_t> inputs(2, 0), object(3, 0);
+  EXPECT_THROW(worker->call(CourseworkFunction::kPolygonSampling, object, inputs), WorkerError);
+}
+
+TEST(WorkerFault, ASceneFunctionWithoutASceneIsRefused) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  const std::vector<std::uint32_t> inputs(8, 0);
+  EXPECT_THROW(worker->call(CourseworkFunction::kTracePath, {}, inputs), WorkerError);
+}
+
+}  // namespace
+}  // namespace pathmark::test
