@@ -197,11 +197,13 @@ void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
   ProcessRequest request;
   request.arguments.emplace_back(build::kCompiler);
   for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
-  if (!build::kLinkerFlag.empty()) request.arguments.emplace_back(build::kLinkerFlag);
   if (!result.complete()) {
-    // Addresses that are not known at all can stay zero only in a program that is not moved.
+    // Addresses that are not known at all can stay zero only in a program that is not moved, and
+    // with the system's own linker.
     request.arguments.emplace_back("-no-pie");
     request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
+  } else if (!build::kLinkerFlag.empty()) {
+    request.arguments.emplace_back(build::kLinkerFlag);
   }
   request.arguments.emplace_back("-pthread");
   request.arguments.emplace_back("-o");
