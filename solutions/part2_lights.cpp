@@ -19,12 +19,12 @@ float twiceArea(const Point& p0, const Point& p1, const Point& p2) {
 // The cone of directions from x in which a sphere is seen. Everything is derived from d - r and
 // sin^2 so that nothing cancels for small and far spheres, where cos(thetaMax) rounds to 1.
 struct SphereCone {
-  Vector toViewer;         // unit, from the centre towards x
-  float d, r;              // distance of x from the centre, radius
-  float sinMax;            // sine of the angle between the axis and the limb
+  Vector toViewer;  // unit, from the centre towards x
+  float d, r;       // distance of x from the centre, radius
+  float sinMax;     // sine of the angle between the axis and the limb
   float cosMax;
   float oneMinusCosMax;
-  bool outside;            // x is strictly outside, so that there is a cone
+  bool outside;  // x is strictly outside, so that there is a cone
 
   SphereCone(const Sphere& sphere, const Point& x)
       : toViewer(x - sphere.centre()), d(length(toViewer)), r(sphere.radius()), outside(d > r) {
@@ -85,8 +85,9 @@ LightSample Sphere::sample(const Point& from, float s, float t) const {
   const float sinAtPoint = std::min(sinTheta / cone.sinMax, 1.0f);
   const float sinAlpha = std::max(sinAtPoint * cosTheta - cosAtPoint * sinTheta, 0.0f);
   const float cosAlpha = cosAtPoint * cosTheta + sinAtPoint * sinTheta;
-  const Vector n = normalize(Frame(cone.toViewer).toWorld(
-      {sinAlpha * std::cos(azimuth), cosAlpha, sinAlpha * std::sin(azimuth)}));
+  const Vector n = normalize(
+      Frame(cone.toViewer)
+          .toWorld({sinAlpha * std::cos(azimuth), cosAlpha, sinAlpha * std::sin(azimuth)}));
   const Point p = centre() + cone.r * n;
   return {p, n, pdf(from, p, n)};
 }
@@ -114,8 +115,8 @@ Colour LitScene::directLighting(const Hit& hit, const Vector& wo, Sampler& sampl
     const Vector wi = toLight / std::sqrt(distance2);
     const float cosX = dot(hit.n, wi), cosY = -dot(y.n, wi);
     if (cosX <= 0.0f || cosY <= 0.0f || !visible(hit, y)) continue;
-    radiance += light.emission() * hit.brdf->brdf(wo, wi, hit.n) *
-                (cosX * cosY / (distance2 * y.pdf));
+    radiance +=
+        light.emission() * hit.brdf->brdf(wo, wi, hit.n) * (cosX * cosY / (distance2 * y.pdf));
   }
   return radiance;
 }

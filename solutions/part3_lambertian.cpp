@@ -15,8 +15,8 @@ float lambertianBRDF::pdf(const Vector&, const Vector& wi, const Vector& n) cons
 DirectionSample lambertianBRDF::reflection(const Vector& wo, const Vector& n, float s, float t,
                                            float) const {
   const float azimuth = 2.0f * kPi * s, radius = std::sqrt(1.0f - t);
-  const Vector wi = normalize(Frame(n).toWorld(
-      {radius * std::cos(azimuth), std::sqrt(t), radius * std::sin(azimuth)}));
+  const Vector wi = normalize(
+      Frame(n).toWorld({radius * std::cos(azimuth), std::sqrt(t), radius * std::sin(azimuth)}));
   return {wi, pdf(wo, wi, n)};
 }
 

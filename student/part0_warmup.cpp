@@ -92,8 +92,8 @@ vec3 sample_hemisphere(vec2 /*u*/, vec3 n) {
 //   seed       for get_random_numbers: call it once
 //
 // Start the ray with spawn_ray(point, triangle, omega). Returns a radiance.
-vec3 compute_direct_illumination(vec3 /*point*/, const Triangle& /*triangle*/,
-                                 const Mesh& /*mesh*/, uvec2& /*seed*/) {
+vec3 compute_direct_illumination(vec3 /*point*/, const Triangle& /*triangle*/, const Mesh& /*mesh*/,
+                                 uvec2& /*seed*/) {
   PATHMARK_UNIMPLEMENTED("part0_warmup.cpp", "compute_direct_illumination");
   return {0.0f, 0.0f, 0.0f};
 }
@@ -108,8 +108,7 @@ vec3 compute_direct_illumination(vec3 /*point*/, const Triangle& /*triangle*/,
 //   seed                for get_random_numbers: one call at each hit
 //
 // Returns a radiance.
-vec3 get_ray_radiance(vec3 /*origin*/, vec3 /*direction*/, const Mesh& /*mesh*/,
-                      uvec2& /*seed*/) {
+vec3 get_ray_radiance(vec3 /*origin*/, vec3 /*direction*/, const Mesh& /*mesh*/, uvec2& /*seed*/) {
   PATHMARK_UNIMPLEMENTED("part0_warmup.cpp", "get_ray_radiance");
   return {0.0f, 0.0f, 0.0f};
 }

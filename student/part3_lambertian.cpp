@@ -11,8 +11,7 @@ namespace pathmark {
 //   n        unit normal of the front
 //
 // Returns f(wo, wi) per steradian; 0 unless both wo and wi are above the surface.
-Colour lambertianBRDF::brdf(const Vector& /*wo*/, const Vector& /*wi*/,
-                            const Vector& /*n*/) const {
+Colour lambertianBRDF::brdf(const Vector& /*wo*/, const Vector& /*wi*/, const Vector& /*n*/) const {
   PATHMARK_UNIMPLEMENTED("part3_lambertian.cpp", "lambertianBRDF::brdf");
   return Colour(0.0f);
 }

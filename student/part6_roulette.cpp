@@ -15,8 +15,7 @@ namespace pathmark {
 //   u            uniform in [0,1)
 //
 // Returns whether the path survives, and its weight if it does.
-Roulette LitScene::RussianRoulette(const Colour& /*throughput*/, int /*depth*/,
-                                   float /*u*/) const {
+Roulette LitScene::RussianRoulette(const Colour& /*throughput*/, int /*depth*/, float /*u*/) const {
   PATHMARK_UNIMPLEMENTED("part6_roulette.cpp", "LitScene::RussianRoulette");
   return {true, 1.0f};
 }

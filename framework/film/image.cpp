@@ -46,8 +46,7 @@ bool imageFormatKnown(const std::filesystem::path& file, std::string& why) {
 void writeImage(const std::filesystem::path& file, const Image& image, double exposure) {
   std::string why;
   if (!imageFormatKnown(file, why)) throw ImageError(why);
-  writeFileAtomically(file,
-                      ending(file) == ".png" ? encodePng(image, exposure) : encodePfm(image));
+  writeFileAtomically(file, ending(file) == ".png" ? encodePng(image, exposure) : encodePfm(image));
 }
 
 }  // namespace pathmark

@@ -22,7 +22,7 @@ class ImageError : public std::runtime_error {
 
 struct Image {
   int width = 0, height = 0;
-  std::vector<float> rgb;        // 3 x width x height
+  std::vector<float> rgb;             // 3 x width x height
   std::vector<std::uint8_t> invalid;  // 1 for a pixel that has no valid ray; empty if none is
 
   std::span<const float, 3> pixel(int column, int row) const {

@@ -32,9 +32,9 @@ LightSample samplePolygon(const Polygon& polygon, float s, float t) {
 // Chooses a face by area with s. Within the chosen face's share, s is again uniform.
 LightSample sampleFaces(std::span<const Light::Face> faces, float s, float t) {
   if (faces.size() == 1) return samplePolygon(faces[0].polygon, s, t);
-  const auto face = std::upper_bound(
-      faces.begin(), faces.end() - 1, s,
-      [](float value, const Light::Face& f) { return value < f.cumulativeArea; });
+  const auto face =
+      std::upper_bound(faces.begin(), faces.end() - 1, s,
+                       [](float value, const Light::Face& f) { return value < f.cumulativeArea; });
   const float below = face == faces.begin() ? 0.0f : (face - 1)->cumulativeArea;
   const float share = face->cumulativeArea - below;
   const float reused = std::clamp((s - below) / share, 0.0f, kLargestBelowOne);
@@ -49,8 +49,8 @@ enum class Side { kInside, kOn, kOutside };
 Side sideOf(const Sphere& sphere, const Point& x) {
   const glm::dvec3 fromCentre = glm::dvec3(x) - glm::dvec3(sphere.centre());
   const double distance = glm::length(fromCentre);
-  const auto tolerance = static_cast<double>(
-      4.0f * kUnitRoundoff * (largestComponent(sphere.centre()) + sphere.radius()));
+  const auto tolerance = static_cast<double>(4.0f * kUnitRoundoff *
+                                             (largestComponent(sphere.centre()) + sphere.radius()));
   if (distance > static_cast<double>(sphere.radius()) + tolerance) return Side::kOutside;
   if (distance < static_cast<double>(sphere.radius()) - tolerance) return Side::kInside;
   return Side::kOn;

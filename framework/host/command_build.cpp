@@ -4,8 +4,8 @@
 #include "host/exit_code.h"
 #include "host/session.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>

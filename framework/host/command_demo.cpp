@@ -6,8 +6,8 @@
 #include "host/interrupt.h"
 #include "host/session.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -82,8 +82,7 @@ void addDemoCommand(CLI::App& app, CommandAction& action) {
   const auto rays = std::make_shared<std::uint64_t>(64);
   CLI::App* command = app.add_subcommand(
       "demo", "Install what is missing, build, and render two scenes with both courseworks");
-  command
-      ->add_option("--rays-per-pixel", *rays, "Rays through each pixel (default: 64)")
+  command->add_option("--rays-per-pixel", *rays, "Rays through each pixel (default: 64)")
       ->check(CLI::Range(1, 1000000000));
   command->footer(
       "Examples:\n"

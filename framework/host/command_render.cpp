@@ -5,8 +5,8 @@
 #include "host/interrupt.h"
 #include "host/session.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <array>
 #include <charconv>
@@ -36,8 +36,8 @@ std::array<int, 2> parseSize(const std::string& text) {
   const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
   const auto height = std::from_chars(separated ? width.ptr + 1 : end, end, size[1]);
   if (!separated || height.ec != std::errc{} || height.ptr != end)
-    throw UsageError(fmt::format(
-        "--size {}: the size is width x height in pixels, such as 640x480.", text));
+    throw UsageError(
+        fmt::format("--size {}: the size is width x height in pixels, such as 640x480.", text));
   return size;
 }
 

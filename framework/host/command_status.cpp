@@ -5,8 +5,8 @@
 #include "host/exit_code.h"
 #include "host/session.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -46,8 +46,7 @@ std::optional<std::string> showPart(const PartBuild& part, const StubReport& rep
     return fmt::format("mend {}, which does not compile:{}", file, part.messages);
   }
   fmt::print("{} {} of {} written\n", title, all.size() - missing.size(), all.size());
-  for (const FunctionContract& f : missing)
-    fmt::print("          {}  {}\n", f.section, f.name);
+  for (const FunctionContract& f : missing) fmt::print("          {}  {}\n", f.section, f.name);
   if (missing.empty()) return std::nullopt;
   return fmt::format("write {} in {}; the task stands above it, the chapter is {}.",
                      missing.front().name, file, handout(part.part.part));

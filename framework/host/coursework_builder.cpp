@@ -106,9 +106,8 @@ std::vector<std::string> compileCommand(const fs::path& source, const fs::path& 
   for (const fs::path& include :
        {kBuildFolder / "precompiled", kProjectFolder / "framework/include"})
     command.push_back("-I" + include.string());
-  for (const std::string& argument :
-       {"-ffile-prefix-map=" + prefixMap, std::string("-c"), source.string(), std::string("-o"),
-        object.string()})
+  for (const std::string& argument : {"-ffile-prefix-map=" + prefixMap, std::string("-c"),
+                                      source.string(), std::string("-o"), object.string()})
     command.push_back(argument);
   return command;
 }
@@ -159,8 +158,7 @@ void buildPart(PartBuild& part, fs::path& object) {
     part.messages = " it cannot be read; a coursework folder holds the same files as student/.";
     return;
   }
-  const std::string key =
-      contentHash(toolchainStamp() + folderPrefix(part.source.parent_path()) +
+  const std::string key = contentHash(toolchainStamp() + folderPrefix(part.source.parent_path()) +
                                       part.source.filename().string() + "\n" + *code);
   const fs::path folder = kBuildFolder / "workers/objects";
   fs::create_directories(folder);
@@ -238,7 +236,8 @@ std::string CourseworkBuild::failure() const {
 CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy) {
   CourseworkBuild result;
   result.folder = folder;
-  for (const PartContract& part : parts()) result.parts.push_back({part, folder / part.file, {}, {}});
+  for (const PartContract& part : parts())
+    result.parts.push_back({part, folder / part.file, {}, {}});
   std::vector<fs::path> objects(result.parts.size());
   buildParts(result.parts, objects);
   if (result.complete() || policy == Incomplete::kLeaveThemOut) link(result, objects);

@@ -31,8 +31,8 @@ struct CourseworkBuild {
 };
 
 enum class Incomplete {
-  kNoWorker,       // a part that does not compile: no worker
-  kLeaveThemOut,   // a worker without those parts, good for asking which stubs are left
+  kNoWorker,      // a part that does not compile: no worker
+  kLeaveThemOut,  // a worker without those parts, good for asking which stubs are left
 };
 
 // Throws std::system_error if the compiler cannot be run or the build folder not be written.

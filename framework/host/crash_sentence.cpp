@@ -63,8 +63,7 @@ std::string whatHappened(const CrashRecord& record) {
     case CrashKind::kException:
       if (std::string_view(record.text).starts_with("std::bad_alloc"))
         return "memory ran out (std::bad_alloc); does an array grow without end?";
-      return fmt::format("an exception that nobody caught, {}.",
-                         printable(record.text));
+      return fmt::format("an exception that nobody caught, {}.", printable(record.text));
     case CrashKind::kExit:
       return "exit() was called; coursework functions return, and never end the program.";
     default:

@@ -6,8 +6,8 @@
 #include "host/session.h"
 #include "scene/load_scene.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -22,7 +22,8 @@ void addScriptCommand(CLI::App& app, const char* name, const char* what, const c
   CLI::App* command = app.add_subcommand(name, what);
   command->footer(footer);
   command->callback([name] {
-    throw UsageError(fmt::format("Run ./pathmark {}: the script does this, not the program.", name));
+    throw UsageError(
+        fmt::format("Run ./pathmark {}: the script does this, not the program.", name));
   });
 }
 

@@ -31,9 +31,9 @@ void ProgressBar::show(const RenderStatus& status) {
   constexpr int kWidth = 24;
   const int full = static_cast<int>(std::lround(status.fraction * kWidth));
   const double rate = static_cast<double>(status.raysTraced) / std::max(status.seconds, 1e-9);
-  const std::string line = fmt::format(
-      "\r\033[K{} [{}{}] {:3.0f}%  {:.1f} Mrays/s  {}", title_, std::string(full, '#'),
-      std::string(kWidth - full, '.'), 100.0 * status.fraction, rate * 1e-6, timeLeft(status));
+  const std::string line = fmt::format("\r\033[K{} [{}{}] {:3.0f}%  {:.1f} Mrays/s  {}", title_,
+                                       std::string(full, '#'), std::string(kWidth - full, '.'),
+                                       100.0 * status.fraction, rate * 1e-6, timeLeft(status));
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;

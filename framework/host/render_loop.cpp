@@ -50,8 +50,8 @@ RenderedImage renderImage(WorkerProcess& worker, const RenderSettings& settings,
   const double allRays = pixels * static_cast<double>(settings.raysPerPixel);
   std::uint64_t passes = 1;
   while (result.complete && job.firstRay < settings.raysPerPixel) {
-    job.rays = std::min<std::uint64_t>(passes * job.raysPerPass,
-                                       settings.raysPerPixel - job.firstRay);
+    job.rays =
+        std::min<std::uint64_t>(passes * job.raysPerPass, settings.raysPerPixel - job.firstRay);
     const auto before = Clock::now();
     const RenderResult made = worker.render(job, film, [&](const RenderProgress& p) {
       const double done =
@@ -71,15 +71,15 @@ RenderedImage renderImage(WorkerProcess& worker, const RenderSettings& settings,
     constexpr double kRequestSeconds = 1.0;
     const double seconds = std::max(secondsSince(before), 1e-3);
     const double fitting = static_cast<double>(passes) * kRequestSeconds / seconds;
-    passes = static_cast<std::uint64_t>(
-        std::clamp(fitting, 1.0, 4.0 * static_cast<double>(passes)));
+    passes =
+        static_cast<std::uint64_t>(std::clamp(fitting, 1.0, 4.0 * static_cast<double>(passes)));
   }
   const std::vector<FilmPixel> final = copyFilm(film, settings.raysPerPixel);
   result.image = imageFromFilm(settings.width, settings.height, final);
   double rays = static_cast<double>(result.invalid.count()) * job.raysPerPass;
   for (const FilmPixel& pixel : final) rays += pixel.rays;
-  result.raysPerPixel = result.complete ? static_cast<double>(settings.raysPerPixel)
-                                        : rays / pixels;
+  result.raysPerPixel =
+      result.complete ? static_cast<double>(settings.raysPerPixel) : rays / pixels;
   result.seconds = secondsSince(started);
   return result;
 }

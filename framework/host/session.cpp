@@ -42,8 +42,7 @@ Coursework prepareCoursework(const std::string& with) {
 std::vector<std::string> sceneNames() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(kProjectFolder / "scenes"))
-    if (entry.path().extension() == ".json" &&
-        entry.path().stem().extension() != ".schema")
+    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
       names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
@@ -57,9 +56,9 @@ fs::path findScene(const std::string& scene) {
     const fs::path file = kProjectFolder / folder / (scene + ".json");
     if (fs::exists(file)) return file;
   }
-  throw UsageError(fmt::format(
-      "There is no scene {}: it is one of {}, or the path of a .json file.", scene,
-      fmt::join(sceneNames(), ", ")));
+  throw UsageError(
+      fmt::format("There is no scene {}: it is one of {}, or the path of a .json file.", scene,
+                  fmt::join(sceneNames(), ", ")));
 }
 
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
@@ -79,8 +78,8 @@ RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene
   settings.width = static_cast<int>(scene.flat.camera.width);
   settings.height = static_cast<int>(scene.flat.camera.height);
   settings.raysPerPixel = options.raysPerPixel;
-  settings.threads = options.threads != 0 ? options.threads
-                                          : std::max(1u, std::thread::hardware_concurrency());
+  settings.threads =
+      options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   settings.threads = std::min<std::uint32_t>(settings.threads, kMaxThreads);
   settings.seed = options.seed;
   settings.estimator = options.warmUp ? Estimator::kWarmUp : Estimator::kPath;

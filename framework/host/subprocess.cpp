@@ -63,8 +63,8 @@ pid_t spawn(const ProcessRequest& request, const Pipe& in, const Pipe& out) {
   for (const std::string& a : request.arguments) arguments.push_back(const_cast<char*>(a.c_str()));
   arguments.push_back(nullptr);
   pid_t child = -1;
-  const int error = posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(),
-                                 environ);
+  const int error =
+      posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0)
@@ -86,8 +86,7 @@ bool exchange(const ProcessRequest& request, Pipe& in, Pipe& out, std::string& o
     std::array<pollfd, 2> fds{{{out.read, POLLIN, 0}, {in.write, POLLOUT, 0}}};
     if (poll(fds.data(), fds.size(), static_cast<int>(left)) < 0 && errno != EINTR) return false;
     if (fds[1].revents != 0) {
-      const ssize_t n =
-          write(in.write, request.input.data() + sent, request.input.size() - sent);
+      const ssize_t n = write(in.write, request.input.data() + sent, request.input.size() - sent);
       if (n > 0) sent += static_cast<std::size_t>(n);
       if ((n < 0 && errno != EAGAIN && errno != EINTR) || sent == request.input.size())
         in.closeWrite();
@@ -98,8 +97,8 @@ bool exchange(const ProcessRequest& request, Pipe& in, Pipe& out, std::string& o
       if (n == 0) return true;
       if (n < 0 && errno != EINTR) return true;
       if (n > 0 && output.size() < request.outputLimit)
-        output.append(chunk.data(), std::min(static_cast<std::size_t>(n),
-                                             request.outputLimit - output.size()));
+        output.append(chunk.data(),
+                      std::min(static_cast<std::size_t>(n), request.outputLimit - output.size()));
     }
   }
 }

@@ -16,9 +16,9 @@ struct ProcessRequest {
 };
 
 struct ProcessResult {
-  int exitCode = -1;       // 128 + signal if a signal ended it
-  bool timedOut = false;   // stopped at the time limit
-  std::string output;      // standard output and standard error together
+  int exitCode = -1;      // 128 + signal if a signal ended it
+  bool timedOut = false;  // stopped at the time limit
+  std::string output;     // standard output and standard error together
 };
 
 // Throws std::system_error if the program cannot be started.

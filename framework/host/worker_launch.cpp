@@ -73,8 +73,8 @@ LaunchedWorker launchWorker(const std::filesystem::path& program, std::size_t me
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "starting the worker");
   if (child == 0)
-    becomeWorker(name.c_str(), workerSocket.get(), workerText.get(), workerCrash.get(),
-                 memoryBytes, parent);
+    becomeWorker(name.c_str(), workerSocket.get(), workerText.get(), workerCrash.get(), memoryBytes,
+                 parent);
   setpgid(child, child);
   LaunchedWorker launched;
   launched.pid = child;

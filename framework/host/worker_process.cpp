@@ -193,8 +193,8 @@ std::vector<std::uint32_t> WorkerProcess::call(CourseworkFunction function,
   const auto started = Clock::now();
   const std::uint64_t bytes = count * contract.outputWords * sizeof(std::uint32_t);
   const std::uint32_t sequence = sendRequest(MessageKind::kCall, body, -1);
-  const auto reply = awaitReply(MessageKind::kCall, sequence, 0, bytes,
-                                [&] { return silentFor(started); });
+  const auto reply =
+      awaitReply(MessageKind::kCall, sequence, 0, bytes, [&] { return silentFor(started); });
   if (reply.size() != bytes)
     fail(WorkerFault::kNonsense,
          fmt::format("The worker could not call {}: its answer has {} bytes where {} belong.",
@@ -250,9 +250,8 @@ void WorkerProcess::sendBytes(std::span<const std::byte> bytes, int descriptor) 
 // Waits for something to happen; reads what the coursework prints and what a crash says. Returns
 // whether the socket is ready.
 bool WorkerProcess::pump(int timeoutMilliseconds, short socketEvents) {
-  std::array<pollfd, 3> fds{{{socket_.get(), socketEvents, 0},
-                             {text_.get(), POLLIN, 0},
-                             {crash_.get(), POLLIN, 0}}};
+  std::array<pollfd, 3> fds{
+      {{socket_.get(), socketEvents, 0}, {text_.get(), POLLIN, 0}, {crash_.get(), POLLIN, 0}}};
   if (poll(fds.data(), fds.size(), timeoutMilliseconds) < 0) {
     if (errno == EINTR) return false;
     throw std::system_error(errno, std::generic_category(), "waiting for the worker");
@@ -344,11 +343,9 @@ void WorkerProcess::failDead() {
 void WorkerProcess::failStalled(int thread) {
   syscall(SYS_tgkill, pid_, thread, SIGUSR1);
   const auto deadline = Clock::now() + std::chrono::seconds(1);
-  while (!crashRecord_ && crash_.get() >= 0 && Clock::now() < deadline)
-    pump(kPollMilliseconds, 0);
+  while (!crashRecord_ && crash_.get() >= 0 && Clock::now() < deadline) pump(kPollMilliseconds, 0);
   std::string where;
-  if (crashRecord_)
-    where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder);
+  if (crashRecord_) where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder);
   if (where.empty()) where = "The coursework";
   fail(WorkerFault::kTimeLimit,
        fmt::format("{}: no answer for {:g} s, stopped; is there a loop that never ends?", where,

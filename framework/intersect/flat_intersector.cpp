@@ -53,8 +53,8 @@ FlatIntersector::FlatIntersector(std::span<const FlatTriangle> triangles,
   }
   for (const FlatSphere& s : spheres) {
     const bool frontOnly = shapes[s.shape].frontOnly != 0, inward = s.inward != 0;
-    spheres_.push_back({Point(s.centre[0], s.centre[1], s.centre[2]), s.radius,
-                        frontOnly && inward, frontOnly && !inward});
+    spheres_.push_back({Point(s.centre[0], s.centre[1], s.centre[2]), s.radius, frontOnly && inward,
+                        frontOnly && !inward});
   }
 }
 
@@ -73,8 +73,8 @@ void FlatIntersector::intersectBlock(const TriangleBlock& block, const Shear& r,
     const float u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     const float area = u + v + w;
     const float distance = r.sz * (u * az + v * bz + w * cz) / area;
-    const bool sameSide = ((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) |
-                          ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f));
+    const bool sameSide =
+        ((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f));
     const bool hit = sameSide & (area != 0.0f) & (area > block.smallestArea[i]) &
                      (distance > 0.0f) & (distance < tMax);
     t[i] = hit ? distance : kInfinity;

@@ -40,8 +40,8 @@ class FlatIntersector {
   static constexpr int kLanes = 16;
 
   struct alignas(64) TriangleBlock {
-    float vertex[3][3][kLanes];    // [corner][axis][lane]; NaN where there is no triangle
-    float smallestArea[kLanes];    // signed projected area a hit must exceed: culls backs
+    float vertex[3][3][kLanes];  // [corner][axis][lane]; NaN where there is no triangle
+    float smallestArea[kLanes];  // signed projected area a hit must exceed: culls backs
   };
 
   struct SphereRecord {

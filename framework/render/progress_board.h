@@ -13,7 +13,7 @@ inline constexpr int kMaxThreads = 256;
 struct alignas(64) ThreadSlot {
   std::atomic<std::uint64_t> pixelsDone{0};  // pixels times passes, ever growing
   std::atomic<std::uint64_t> raysTraced{0};
-  std::atomic<std::int32_t> threadId{0};  // of the operating system; 0 when not running
+  std::atomic<std::int32_t> threadId{0};        // of the operating system; 0 when not running
   std::atomic<std::int32_t> column{0}, row{0};  // of the pixel in work
 };
 

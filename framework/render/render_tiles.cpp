@@ -50,8 +50,8 @@ class PixelRenderer {
       sampler_.startRay(static_cast<int>(m));
       const vec2 film = vec2(i, j) + sampler_.next2D();
       uvec2 seed(sampler_.next2D() * 0x1p24f);
-      const Vector direction = normalize(camera.topLeft() + film.x * camera.pixelRight() +
-                                         film.y * camera.pixelDown());
+      const Vector direction =
+          normalize(camera.topLeft() + film.x * camera.pixelRight() + film.y * camera.pixelDown());
       sum += get_ray_radiance(camera.eye(), direction, Mesh{warmUp_}, seed);
       ++raysOfThisThread;
     }

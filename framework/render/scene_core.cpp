@@ -38,15 +38,14 @@ void SceneCore::buildLights() {
   }
   for (const FlatFace& f : view_.faces) {
     const std::span<const Point> vertices(lightVertices_.data() + f.firstVertex, f.vertexCount);
-    faces_.push_back({Polygon(vertices,
-                              view_.lightTriangles.subspan(f.firstTriangle, f.triangleCount),
-                              toVec3(f.normal)),
-                      f.cumulativeArea});
+    faces_.push_back(
+        {Polygon(vertices, view_.lightTriangles.subspan(f.firstTriangle, f.triangleCount),
+                 toVec3(f.normal)),
+         f.cumulativeArea});
   }
   for (const FlatLight& l : view_.lights) {
     if (l.sphere == FlatLight::kNoSphere) {
-      lights_.emplace_back(std::span(faces_).subspan(l.firstFace, l.faceCount),
-                           toVec3(l.emission));
+      lights_.emplace_back(std::span(faces_).subspan(l.firstFace, l.faceCount), toVec3(l.emission));
     } else {
       const FlatSphere& s = view_.spheres[l.sphere];
       const Sphere sphere(toVec3(s.centre), s.radius);
@@ -64,8 +63,7 @@ bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
   if (primitive.isSphere) {
     const FlatSphere& sphere = view_.spheres[primitive.index];
     const Point centre = toVec3(sphere.centre);
-    const Vector outward =
-        normalize((ray.origin - centre) + primitive.t * ray.direction);
+    const Vector outward = normalize((ray.origin - centre) + primitive.t * ray.direction);
     hit.p = centre + sphere.radius * outward;
     hit.n = sphere.inward != 0 ? -outward : outward;
     hit.error = offsetForMagnitude(largestComponent(centre) + sphere.radius);
@@ -77,8 +75,7 @@ bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
                 p2 = b.z * toVec3(triangle.p[2]);
     hit.p = p0 + p1 + p2;
     hit.n = toVec3(triangle.normal);
-    hit.error = offsetForMagnitude(
-        largestComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2)));
+    hit.error = offsetForMagnitude(largestComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2)));
     shape = &view_.shapes[triangle.shape];
   }
   hit.brdf = materials_[shape->material].get();

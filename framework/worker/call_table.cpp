@@ -198,10 +198,9 @@ bool callPolygon(const CallBatch& batch, Output out) {
   const Polygon polygon(object.vertices, object.triangles, object.normal);
   forEachCall(batch, [&](Words in) {
     const vec2 st = in.pair();
-    out << (batch.function == F::kTriangularSampling ? polygon.TriangularSampling(st.x, st.y)
-            : batch.function == F::kRectangularSampling
-                ? polygon.RectangularSampling(st.x, st.y)
-                : polygon.PolygonSampling(st.x, st.y));
+    out << (batch.function == F::kTriangularSampling    ? polygon.TriangularSampling(st.x, st.y)
+            : batch.function == F::kRectangularSampling ? polygon.RectangularSampling(st.x, st.y)
+                                                        : polygon.PolygonSampling(st.x, st.y));
   });
   return true;
 }

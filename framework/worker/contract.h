@@ -16,29 +16,29 @@
 namespace pathmark {
 
 enum class CourseworkFunction : std::uint32_t {
-  kRayTriangleIntersection,     // ray 6, corners 9                    -> hit (int), t
-  kRayMeshIntersection,         // mesh | ray 6                        -> hit (int), t, triangle 18
-  kGetRandomNumbers,            // seed 2 (int)                        -> numbers 2, seed 2 (int)
-  kSampleSphere,                // u 2                                 -> direction 3
-  kSampleHemisphere,            // u 2, n 3                            -> direction 3
-  kComputeDirectIllumination,   // mesh | point 3, triangle (int), seed 2 (int) -> 3, seed 2 (int)
-  kGetRayRadiance,              // mesh | ray 6, seed 2 (int)          -> 3, seed 2 (int)
-  kStratifiedRandomRay,         // camera 14 | i j k l n (int), s t    -> ray 6
-  kRenderPixel,                 // i j rays (int), seed 2              -> 3
-  kTriangularSampling,          // polygon | s t                       -> p 3, n 3, pdf
-  kRectangularSampling,         // polygon | s t                       -> p 3, n 3, pdf
-  kPolygonSampling,             // polygon | s t                       -> p 3, n 3, pdf
-  kSphereSample,                // centre 3, radius, from 3, s t       -> p 3, n 3, pdf
-  kSpherePdf,                   // centre 3, radius, from 3, p 3, n 3  -> pdf
-  kDirectLighting,              // p 3, n 3, error, material (int), wo 3, seed 2 -> 3
-  kLambertianBrdf,              // Kd 3 | wo wi n 9                    -> 3
-  kLambertianPdf,               // Kd 3 | wo wi n 9                    -> pdf
-  kLambertianReflection,        // Kd 3 | wo n 6, s t u                -> wi 3, pdf
-  kPhongBrdf,                   // Kd 3, Ks 3, exponent | wo wi n 9    -> 3
-  kPhongPdf,                    // Kd 3, Ks 3, exponent | wo wi n 9    -> pdf
-  kPhongReflection,             // Kd 3, Ks 3, exponent | wo n 6, s t u -> wi 3, pdf
-  kTracePath,                   // ray 6, seed 2                       -> 3
-  kRussianRoulette,             // throughput 3, depth (int), u        -> survives (int), weight
+  kRayTriangleIntersection,    // ray 6, corners 9                    -> hit (int), t
+  kRayMeshIntersection,        // mesh | ray 6                        -> hit (int), t, triangle 18
+  kGetRandomNumbers,           // seed 2 (int)                        -> numbers 2, seed 2 (int)
+  kSampleSphere,               // u 2                                 -> direction 3
+  kSampleHemisphere,           // u 2, n 3                            -> direction 3
+  kComputeDirectIllumination,  // mesh | point 3, triangle (int), seed 2 (int) -> 3, seed 2 (int)
+  kGetRayRadiance,             // mesh | ray 6, seed 2 (int)          -> 3, seed 2 (int)
+  kStratifiedRandomRay,        // camera 14 | i j k l n (int), s t    -> ray 6
+  kRenderPixel,                // i j rays (int), seed 2              -> 3
+  kTriangularSampling,         // polygon | s t                       -> p 3, n 3, pdf
+  kRectangularSampling,        // polygon | s t                       -> p 3, n 3, pdf
+  kPolygonSampling,            // polygon | s t                       -> p 3, n 3, pdf
+  kSphereSample,               // centre 3, radius, from 3, s t       -> p 3, n 3, pdf
+  kSpherePdf,                  // centre 3, radius, from 3, p 3, n 3  -> pdf
+  kDirectLighting,             // p 3, n 3, error, material (int), wo 3, seed 2 -> 3
+  kLambertianBrdf,             // Kd 3 | wo wi n 9                    -> 3
+  kLambertianPdf,              // Kd 3 | wo wi n 9                    -> pdf
+  kLambertianReflection,       // Kd 3 | wo n 6, s t u                -> wi 3, pdf
+  kPhongBrdf,                  // Kd 3, Ks 3, exponent | wo wi n 9    -> 3
+  kPhongPdf,                   // Kd 3, Ks 3, exponent | wo wi n 9    -> pdf
+  kPhongReflection,            // Kd 3, Ks 3, exponent | wo n 6, s t u -> wi 3, pdf
+  kTracePath,                  // ray 6, seed 2                       -> 3
+  kRussianRoulette,            // throughput 3, depth (int), u        -> survives (int), weight
 };
 
 // mesh: 18 words a triangle (corners 9, normal 3, colour 3, emission 3).

@@ -165,7 +165,7 @@ namespace {
   void* warmUp[1];
   backtrace(warmUp, 1);
 
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_sigaction = onSignal;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigfillset(&action.sa_mask);

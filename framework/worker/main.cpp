@@ -63,8 +63,7 @@ void answerRender(const Message& request, const WorkerState& state) {
       std::byte* memory = block->data();
       auto& board = *reinterpret_cast<ProgressBoard*>(memory);
       auto* film = reinterpret_cast<FilmPixel*>(memory + kFilmOffset);
-      result = renderTiles(*state.scene, body->job, {film, pixels}, board,
-                           prepareThreadForCrashes);
+      result = renderTiles(*state.scene, body->job, {film, pixels}, board, prepareThreadForCrashes);
     }
   }
   sendReply(request, asBytes(result));
@@ -80,9 +79,9 @@ void answerCall(const Message& request, const WorkerState& state) {
         (request.body.size() - sizeof *body) / sizeof(std::uint32_t));
     const std::size_t inputs = body->count * contractOf(function).inputWords;
     if (words.size() == body->objectWords + inputs)
-      outputs = callCoursework({function, words.first(body->objectWords),
-                                words.subspan(body->objectWords), body->count},
-                               state.scene.get());
+      outputs = callCoursework(
+          {function, words.first(body->objectWords), words.subspan(body->objectWords), body->count},
+          state.scene.get());
   }
   sendReply(request, std::as_bytes(std::span(outputs)));
 }

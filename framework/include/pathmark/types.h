@@ -35,9 +35,9 @@ struct Ray {
 };
 
 struct LightSample {
-  Point p{0.0f};                // on the light
-  Vector n{0.0f, 1.0f, 0.0f};   // unit normal of the light at p
-  float pdf = 0.0f;             // per unit area
+  Point p{0.0f};               // on the light
+  Vector n{0.0f, 1.0f, 0.0f};  // unit normal of the light at p
+  float pdf = 0.0f;            // per unit area
 };
 
 struct DirectionSample {

@@ -15,8 +15,8 @@ struct StubRecord {
 }  // namespace pathmark
 
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the record must be placed at the point of use.
-#define PATHMARK_UNIMPLEMENTED(file, function)                                       \
-  do {                                                                               \
-    [[gnu::section("pathmark_stubs"), gnu::used]] static const ::pathmark::StubRecord \
-        pathmarkStubRecord = {file, function};                                       \
+#define PATHMARK_UNIMPLEMENTED(file, function)                                               \
+  do {                                                                                       \
+    [[gnu::section("pathmark_stubs"),                                                        \
+      gnu::used]] static const ::pathmark::StubRecord pathmarkStubRecord = {file, function}; \
   } while (false)

@@ -33,7 +33,9 @@ class Random {
   float uniform(float low, float high) {
     return std::uniform_real_distribution<float>(low, high)(engine_);
   }
-  vec3 inCube(float half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
+  vec3 inCube(float half) {
+    return {uniform(-half, half), uniform(-half, half), uniform(-half, half)};
+  }
   vec3 direction() {
     for (;;) {
       const vec3 v = inCube(1.0f);
@@ -57,7 +59,7 @@ Oracle oracleTriangle(const FlatTriangle& triangle, const Ray& ray) {
     return Vector3(triangle.p[k][0], triangle.p[k][1], triangle.p[k][2]);
   };
   const Vector3 o(ray.origin), d(ray.direction), e1 = corner(1) - corner(0),
-      e2 = corner(2) - corner(0);
+                                                 e2 = corner(2) - corner(0);
   const Vector3 q = glm::cross(d, e2);
   const Real determinant = glm::dot(e1, q);
   const Vector3 s = o - corner(0), r = glm::cross(s, e1);

@@ -27,8 +27,7 @@ TEST(Light, TheFunctionFollowsFromTheVertices) {
   EXPECT_EQ(densityOf({{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}}), kTriangularDensity);
   EXPECT_EQ(densityOf({{{0, 0, 0}, {2, 0, 0}, {3, 0, 1}, {1, 0, 1}}}), kRectangularDensity);
   EXPECT_EQ(densityOf({{{0, 0, 0}, {2, 0, 0}, {3, 0, 2}, {1, 0, 1}}}), kPolygonDensity);
-  EXPECT_EQ(densityOf({{{0, 0, 0}, {2, 0, 0}, {3, 0, 1}, {1, 0, 3}, {0, 0, 1}}}),
-            kPolygonDensity);
+  EXPECT_EQ(densityOf({{{0, 0, 0}, {2, 0, 0}, {3, 0, 1}, {1, 0, 3}, {0, 0, 1}}}), kPolygonDensity);
 }
 
 TEST(Light, ARectangleFarFromTheOriginIsStillOne) {

@@ -44,8 +44,11 @@ class SmallScene {
   }
 
   FlatSceneView view() const {
-    return {scene_.camera, 1,           scene_.materials,     scene_.shapes,        scene_.triangles,
-            scene_.spheres, scene_.lights, scene_.faces, scene_.lightVertices, scene_.lightTriangles};
+    return {scene_.camera,        1,
+            scene_.materials,     scene_.shapes,
+            scene_.triangles,     scene_.spheres,
+            scene_.lights,        scene_.faces,
+            scene_.lightVertices, scene_.lightTriangles};
   }
   const std::array<vec3, 4>& floor() const { return floor_; }
   const vec3& lightPoint() const { return centre_; }
@@ -67,7 +70,8 @@ class SmallScene {
   vec3 centre_{0.0f}, normal_{0, -1, 0};
 };
 
-constexpr Placement kPlacements[] = {{1e-3f, 0}, {1, 0}, {1e4f, 0}, {1, 10}, {1, 1e3f}, {1e-2f, 1e3f}};
+constexpr Placement kPlacements[] = {{1e-3f, 0}, {1, 0},    {1e4f, 0},
+                                     {1, 10},    {1, 1e3f}, {1e-2f, 1e3f}};
 
 class Offsets : public testing::TestWithParam<Placement> {
  protected:
@@ -117,8 +121,8 @@ TEST_P(Offsets, ALightIsNotHiddenByItselfNorByItsReceiver) {
       continue;
     float u = uniform(), v = uniform();
     if (u + v > 1) u = 1 - u, v = 1 - v;
-    const vec3 p = small.lightPoint() + GetParam().scale * (u * vec3(0.3f, 0.05f, 0.1f) +
-                                                            v * vec3(-0.1f, 0, 0.4f));
+    const vec3 p = small.lightPoint() +
+                   GetParam().scale * (u * vec3(0.3f, 0.05f, 0.1f) + v * vec3(-0.1f, 0, 0.4f));
     const LightSample sample{p, small.lightNormal(), 1.0f};
     const vec3 toLight = normalize(p - hit.p);
     if (dot(toLight, hit.n) < 1e-3f || dot(-toLight, sample.n) < 1e-3f) continue;

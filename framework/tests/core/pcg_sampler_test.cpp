@@ -103,7 +103,8 @@ TEST(PcgSampler, NeighbouringPixelsRaysAndDimensionsAreUncorrelated) {
     other.startPixel(i, j, 0);
     seeds.add(x * static_cast<double>(other.next1D()));
   }
-  for (const stats::RunningMoments& m : {pixels, rows, rays, dimensions, seeds}) expectMean(m, 0.25);
+  for (const stats::RunningMoments& m : {pixels, rows, rays, dimensions, seeds})
+    expectMean(m, 0.25);
 }
 
 }  // namespace

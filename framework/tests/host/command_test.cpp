@@ -111,21 +111,24 @@ TEST_F(Command, AFileThatCannotBeWrittenIsExitCodeThree) {
 }
 
 TEST_F(Command, ACrashIsASentenceAndExitCodeOneAndWritesNothing) {
-  coursework_.setTracePath("(void)ray; (void)sampler;\n*(volatile int*)nullptr = 1;\n"
-                           "return Colour(0.0f);");
+  coursework_.setTracePath(
+      "(void)ray; (void)sampler;\n*(volatile int*)nullptr = 1;\n"
+      "return Colour(0.0f);");
   expectSays(render({"--output", "a.png"}), 1, "part5_path.cpp:5, in LitScene::tracePath");
   EXPECT_FALSE(wrote("a.png"));
 }
 
 TEST_F(Command, AnEndlessLoopIsStopped) {
-  coursework_.setTracePath("(void)sampler;\nvolatile float x = ray.direction.x;\n"
-                           "while (x < 2.0f) {}\nreturn Colour(0.0f);");
+  coursework_.setTracePath(
+      "(void)sampler;\nvolatile float x = ray.direction.x;\n"
+      "while (x < 2.0f) {}\nreturn Colour(0.0f);");
   expectSays(render({"--stop-after", "1"}), 1, "no answer for 1 s");
 }
 
 TEST_F(Command, InvalidValuesAreToldAndTheRestOfThePictureIsKept) {
-  coursework_.setTracePath("(void)sampler;\n"
-                           "return Colour(std::sqrt(ray.direction.x));");
+  coursework_.setTracePath(
+      "(void)sampler;\n"
+      "return Colour(std::sqrt(ray.direction.x));");
   expectSays(render({"--size", "16x16", "--output", "a.pfm"}), 1, "NaN");
   EXPECT_TRUE(wrote("a.pfm"));
   for (const float value : readPfm(folder_ / "a.pfm").rgb) EXPECT_TRUE(value >= 0.0f);

@@ -31,11 +31,11 @@ TEST(Contract, EveryFunctionHasItsStubWithMarkerTaskAndSection) {
   for (const FunctionContract& f : contract()) {
     const std::string file(parts()[static_cast<std::size_t>(f.part)].file);
     const std::string text = textOf(kProject / "student" / file);
-    EXPECT_NE(text.find("PATHMARK_UNIMPLEMENTED(\"" + file + "\", \"" + std::string(f.name) + "\")"),
-              std::string::npos)
+    EXPECT_NE(
+        text.find("PATHMARK_UNIMPLEMENTED(\"" + file + "\", \"" + std::string(f.name) + "\")"),
+        std::string::npos)
         << f.name;
-    EXPECT_NE(text.find("Part " + std::string(f.section) + " (handout section "),
-              std::string::npos)
+    EXPECT_NE(text.find("Part " + std::string(f.section) + " (handout section "), std::string::npos)
         << f.name;
   }
 }
@@ -49,8 +49,7 @@ TEST(Contract, UnwrittenCourseworkBuildsRendersAndIsKnownAsUnwritten) {
     small.size = {16, 16};
     RenderRequestOptions options;
     options.raysPerPixel = 4;
-    const RenderOutcome outcome =
-        renderScene(student, loadScene(findScene(name), small), options);
+    const RenderOutcome outcome = renderScene(student, loadScene(findScene(name), small), options);
     EXPECT_EQ(outcome.stubs.unwritten.size(), contract().size());
     EXPECT_TRUE(outcome.rendered.complete);
     EXPECT_EQ(invalidSentence(outcome.rendered, false), "") << name;

@@ -41,8 +41,7 @@ TEST(CourseworkBuilder, TheOtherPartsOfABrokenCourseworkCanBeAskedForTheirStubs)
                      "  PATHMARK_UNIMPLEMENTED(\"part6_roulette.cpp\", "
                      "\"LitScene::RussianRoulette\");\n  return {true, 1.0f};\n}");
   coursework.setFile("part3_lambertian.cpp", "this is not C++");
-  const CourseworkBuild build =
-      buildCoursework(coursework.folder(), Incomplete::kLeaveThemOut);
+  const CourseworkBuild build = buildCoursework(coursework.folder(), Incomplete::kLeaveThemOut);
   ASSERT_FALSE(build.worker.empty());
   EXPECT_FALSE(build.complete());
   WorkerProcess::Options options;
@@ -85,24 +84,26 @@ TEST(CourseworkBuilder, OtherFilesOfTheFolderCannotBeIncluded) {
 // named like one of the C library or of the framework replaces nothing.
 TEST(CourseworkBuilder, HelpersOfTheSameNameDoNotClash) {
   TestCoursework coursework;
-  coursework.setFile("part6_roulette.cpp",
-                     "float helper() { return 1.0f; }\n"
-                     "struct Helper { virtual ~Helper() = default; virtual float f() { return 1; } };\n"
-                     "template <class T> T shared() { return T(0.25); }\n"
-                     "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
-                     "  Helper h; return {true, helper() * h.f() * shared<float>()};\n}");
-  coursework.setFile("part5_path.cpp",
-                     "float helper() { return 2.0f; }\n"
-                     "struct Helper { virtual ~Helper() = default; virtual float f() { return 3; } };\n"
-                     "template <class T> T shared() { return T(0.5); }\n"
-                     "bool viewScene() { return false; }\n"
-                     "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
-                     "  Helper h;\n"
-                     "  return Colour(helper() * h.f() * shared<float>(),\n"
-                     "                RussianRoulette(Colour(1), 1, 0).weight, viewScene());\n}\n"
-                     "}\nextern \"C\" int raise(int) { return 0; }\n"
-                     "extern \"C\" void* malloc(decltype(sizeof 0)) { return nullptr; }\n"
-                     "namespace pathmark {");
+  coursework.setFile(
+      "part6_roulette.cpp",
+      "float helper() { return 1.0f; }\n"
+      "struct Helper { virtual ~Helper() = default; virtual float f() { return 1; } };\n"
+      "template <class T> T shared() { return T(0.25); }\n"
+      "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+      "  Helper h; return {true, helper() * h.f() * shared<float>()};\n}");
+  coursework.setFile(
+      "part5_path.cpp",
+      "float helper() { return 2.0f; }\n"
+      "struct Helper { virtual ~Helper() = default; virtual float f() { return 3; } };\n"
+      "template <class T> T shared() { return T(0.5); }\n"
+      "bool viewScene() { return false; }\n"
+      "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+      "  Helper h;\n"
+      "  return Colour(helper() * h.f() * shared<float>(),\n"
+      "                RussianRoulette(Colour(1), 1, 0).weight, viewScene());\n}\n"
+      "}\nextern \"C\" int raise(int) { return 0; }\n"
+      "extern \"C\" void* malloc(decltype(sizeof 0)) { return nullptr; }\n"
+      "namespace pathmark {");
   const auto worker = coursework.start();
   worker->loadScene(emptyScene(1, 1));
   const std::vector<std::uint32_t> inputs(8, 0);

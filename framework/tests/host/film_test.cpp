@@ -54,20 +54,24 @@ TEST(Film, PfmKeepsEveryBit) {
 }
 
 TEST(Film, PngIsTheSrgbCurveOfExposureTimesRadiance) {
-  Image image{4, 1, {0.0f, 0.001f, 0.0031308f, 0.5f, 0.25f, 0.75f, 1.0f, 2.0f, 100.0f, 0.1f, 0.1f, 0.1f}, {}};
+  Image image{4,
+              1,
+              {0.0f, 0.001f, 0.0031308f, 0.5f, 0.25f, 0.75f, 1.0f, 2.0f, 100.0f, 0.1f, 0.1f, 0.1f},
+              {}};
   int width = 0, height = 0;
   const auto bytes = decode(encodePng(image, 1.0), width, height);
   EXPECT_EQ(width, 4);
   EXPECT_EQ(height, 1);
   // IEC 61966-2-1, to the nearest of 255 steps.
-  EXPECT_EQ(bytes, (std::vector<unsigned char>{0, 3, 10, 188, 137, 225, 255, 255, 255, 89, 89, 89}));
+  EXPECT_EQ(bytes,
+            (std::vector<unsigned char>{0, 3, 10, 188, 137, 225, 255, 255, 255, 89, 89, 89}));
   const auto brighter = decode(encodePng(image, 2.5), width, height);
   EXPECT_EQ(brighter[9], 137);
 }
 
 TEST(Film, PngStartsAtTheTopLeft) {
   Image image{2, 2, std::vector<float>(12, 0.0f), {}};
-  image.rgb[0] = 1.0f;  // red, top left
+  image.rgb[0] = 1.0f;   // red, top left
   image.rgb[11] = 1.0f;  // blue, bottom right
   int width = 0, height = 0;
   const auto bytes = decode(encodePng(image, 1.0), width, height);

@@ -34,9 +34,9 @@ class HostileWorker : public testing::Test {
 
   // A message header: magic, kind, sequence, reserved, length; little-endian.
   static std::string header(const char* magic, int kind, int sequence, const char* length) {
-    return std::string("printf '") + magic + "\\x0" + std::to_string(kind) +
-           "\\x00\\x00\\x00\\x0" + std::to_string(sequence) + "\\x00\\x00\\x00" +
-           "\\x00\\x00\\x00\\x00" + length + "' >&3\n";
+    return std::string("printf '") + magic + "\\x0" + std::to_string(kind) + "\\x00\\x00\\x00\\x0" +
+           std::to_string(sequence) + "\\x00\\x00\\x00" + "\\x00\\x00\\x00\\x00" + length +
+           "' >&3\n";
   }
   static constexpr const char* kMagic = "PMW1";
   static constexpr const char* kEight = "\\x08\\x00\\x00\\x00\\x00\\x00\\x00\\x00";
@@ -73,10 +73,10 @@ TEST_F(HostileWorker, AFloodBesideAnHonestGreetingIsNonsense) {
 }
 
 TEST_F(HostileWorker, ALengthBeyondAllMeasureIsNotAllocated) {
-  EXPECT_EQ(faultOf(header(kMagic, 1, 0, kEight) + kHelloBody +
-                    header(kMagic, 2, 1, "\\xff\\xff\\xff\\xff\\xff\\xff\\xff\\x7f") +
-                    "exec sleep 60\n"),
-            WorkerFault::kNonsense);
+  EXPECT_EQ(
+      faultOf(header(kMagic, 1, 0, kEight) + kHelloBody +
+              header(kMagic, 2, 1, "\\xff\\xff\\xff\\xff\\xff\\xff\\xff\\x7f") + "exec sleep 60\n"),
+      WorkerFault::kNonsense);
 }
 
 TEST_F(HostileWorker, AnAnswerToAnotherQuestionIsNonsense) {

@@ -30,8 +30,7 @@ std::size_t unwrittenIn(const TemporaryFolder& folder, unsigned fromSolutions) {
   const Coursework mixed{"mixed", build.folder, build.worker};
   std::size_t unwritten = 0;
   for (const char* scene : {"ucl_sphere", "cornell_box"}) {
-    const RenderOutcome outcome =
-        renderScene(mixed, loadScene(findScene(scene), small), options);
+    const RenderOutcome outcome = renderScene(mixed, loadScene(findScene(scene), small), options);
     EXPECT_EQ(invalidSentence(outcome.rendered, false), "") << fromSolutions;
     unwritten = outcome.stubs.unwritten.size();
   }
@@ -58,8 +57,7 @@ TEST(SwappedFiles, OneStubFileAmongSolutionsLinksAndRenders) {
 
 TEST(SwappedFiles, HalfOfThePartsWrittenRenders) {
   TemporaryFolder folder;
-  EXPECT_EQ(unwrittenIn(folder, 0b0001111u),
-            functionsOf(4) + functionsOf(5) + functionsOf(6));
+  EXPECT_EQ(unwrittenIn(folder, 0b0001111u), functionsOf(4) + functionsOf(5) + functionsOf(6));
   EXPECT_EQ(unwrittenIn(folder, 0b1110000u),
             functionsOf(0) + functionsOf(1) + functionsOf(2) + functionsOf(3));
 }

@@ -49,8 +49,9 @@ void expectContains(const std::string& text, const std::string& part) {
 
 TEST(WorkerFault, SegmentationFaultNamesFunctionFileAndLine) {
   TestCoursework coursework;
-  coursework.setTracePath("(void)ray;\nif (sampler.next1D() < 0.01f)\n  *(volatile int*)nullptr = 1;"
-                          "\nreturn Colour(0.0f);");
+  coursework.setTracePath(
+      "(void)ray;\nif (sampler.next1D() < 0.01f)\n  *(volatile int*)nullptr = 1;"
+      "\nreturn Colour(0.0f);");
   const Failure failure = failureOf(coursework);
   EXPECT_EQ(failure.fault, WorkerFault::kCrashed);
   expectContains(failure.sentence, "part5_path.cpp:6, in LitScene::tracePath");
@@ -64,8 +65,9 @@ TEST(WorkerFault, EndlessLoopIsStoppedAndNamesItsLine) {
                      "  volatile float x = u;\n"
                      "  while (x < 2.0f) x = u;\n"
                      "  return {true, x};\n}");
-  coursework.setTracePath("(void)ray; return Colour(RussianRoulette(Colour(1.0f), 1, "
-                          "sampler.next1D()).weight);");
+  coursework.setTracePath(
+      "(void)ray; return Colour(RussianRoulette(Colour(1.0f), 1, "
+      "sampler.next1D()).weight);");
   const Failure failure = failureOf(coursework);
   EXPECT_EQ(failure.fault, WorkerFault::kTimeLimit);
   expectContains(failure.sentence, "part6_roulette.cpp:5, in LitScene::RussianRoulette");
@@ -74,15 +76,17 @@ TEST(WorkerFault, EndlessLoopIsStoppedAndNamesItsLine) {
 
 TEST(WorkerFault, OneLoopingThreadIsNoticedWhileOthersWork) {
   TestCoursework coursework;
-  coursework.setTracePath("(void)sampler;\nvolatile float x = ray.direction.x;\n"
-                          "if (x < -0.55f) while (x < 2.0f) {}\nreturn Colour(0.0f);");
+  coursework.setTracePath(
+      "(void)sampler;\nvolatile float x = ray.direction.x;\n"
+      "if (x < -0.55f) while (x < 2.0f) {}\nreturn Colour(0.0f);");
   EXPECT_EQ(failureOf(coursework).fault, WorkerFault::kTimeLimit);
 }
 
 TEST(WorkerFault, StackOverflowIsNamed) {
   TestCoursework coursework;
-  coursework.setTracePath("volatile float big[100] = {sampler.next1D()};\n"
-                          "return tracePath(ray, sampler) + big[7];");
+  coursework.setTracePath(
+      "volatile float big[100] = {sampler.next1D()};\n"
+      "return tracePath(ray, sampler) + big[7];");
   const Failure failure = failureOf(coursework);
   EXPECT_EQ(failure.fault, WorkerFault::kCrashed);
   expectContains(failure.sentence, "in LitScene::tracePath: stack overflow");
@@ -169,15 +173,16 @@ TEST(WorkerFault, ScribblingOnTheWireIsNonsense) {
 
 TEST(WorkerFault, InvalidRadianceIsCountedLocatedAndKeptOutOfTheImage) {
   TestCoursework coursework;
-  coursework.setFile("part1_stratified.cpp",
-                     "Ray SimpleCamera::StratifiedRandomRay(int, int, int, int, int, float,\n"
-                     "                                      float) const { return {}; }\n"
-                     "Colour LitScene::renderPixel(int i, int j, const SimpleCamera&, int,\n"
-                     "                             Sampler&) const {\n"
-                     "  if (j == 3 && i >= 5) return Colour(0.5f, std::sqrt(-1.0f - i * i), 0.5f);\n"
-                     "  if (j == 7 && i == 2) return Colour(1.0f / static_cast<float>(i - 2));\n"
-                     "  if (j == 9 && i == 4) return Colour(-0.25f);\n"
-                     "  return Colour(0.5f);\n}");
+  coursework.setFile(
+      "part1_stratified.cpp",
+      "Ray SimpleCamera::StratifiedRandomRay(int, int, int, int, int, float,\n"
+      "                                      float) const { return {}; }\n"
+      "Colour LitScene::renderPixel(int i, int j, const SimpleCamera&, int,\n"
+      "                             Sampler&) const {\n"
+      "  if (j == 3 && i >= 5) return Colour(0.5f, std::sqrt(-1.0f - i * i), 0.5f);\n"
+      "  if (j == 7 && i == 2) return Colour(1.0f / static_cast<float>(i - 2));\n"
+      "  if (j == 9 && i == 4) return Colour(-0.25f);\n"
+      "  return Colour(0.5f);\n}");
   const auto worker = coursework.start();
   const RenderedImage rendered = renderWith(*worker, 16);
   EXPECT_EQ(rendered.invalid.nan, 11u);
