@@ -6,7 +6,7 @@
 
 namespace pathmark {
 
-thread_local std::uint64_t raysOfThisThread = 0;
+thread_local constinit std::uint64_t raysOfThisThread = 0;
 
 bool LitScene::intersect(const Ray& ray, Hit& hit) const {
   ++raysOfThisThread;

@@ -8,6 +8,6 @@
 
 namespace pathmark {
 
-extern thread_local std::uint64_t raysOfThisThread;
+extern thread_local constinit std::uint64_t raysOfThisThread;
 
 }  // namespace pathmark

@@ -1,0 +1,243 @@
+// Part 1: which rays renderPixel sends, seen by a tracePath that records them. This program is
+// linked with part 1 alone; no scene is needed.
+#include "tests/support/edge_inputs.h"
+#include "tests/support/expect.h"
+#include "tests/support/film_point.h"
+
+#include <pathmark/coursework.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace pathmark {
+
+class SceneCore {};
+
+namespace {
+
+// False-fail rate of each statistical comparison.
+constexpr double kAlpha = 1e-7;
+
+using namespace testing;
+
+// What renderPixel did, in order.
+struct Record {
+  std::vector<int> started;            // the arguments of startRay
+  std::vector<std::size_t> startedBy;  // calls of startRay before the m-th ray
+  std::vector<Ray> rays;
+  std::vector<int> numbersOf;  // how many numbers the m-th ray took after its startRay
+  int numbers = 0;             // since the last startRay, or since the beginning
+  int stray = 0;               // numbers taken before any startRay
+};
+
+Record record;
+
+// The radiance of the m-th ray: all different, so that no ray can count for another.
+Colour radianceOf(std::size_t m) {
+  const auto x = static_cast<float>(m);
+  return {1.0f + x, 1.0f / (1.0f + x), m % 3 == 0 ? 7.0f : 0.0f};
+}
+
+class RecordingSampler final : public Sampler {
+ public:
+  explicit RecordingSampler(std::function<float()> source) : source_(std::move(source)) {}
+
+  void startRay(int m) override {
+    record.started.push_back(m);
+    record.numbers = 0;
+    next_ = end_ = nullptr;
+  }
+
+ private:
+  void refill() override {
+    ++(record.started.empty() ? record.stray : record.numbers);
+    number_ = source_();
+    next_ = &number_;
+    end_ = next_ + 1;
+  }
+
+  std::function<float()> source_;
+  float number_ = 0.0f;
+};
+
+const SceneCore kNoScene;
+
+// Offset of the film to the eye and pixels of unequal sides, so that no two axes can be mixed up.
+const SimpleCamera kCamera({1, 2, 3}, {-0.3f, 0.4f, -1.1f}, {0.02f, 0.001f, 0.004f},
+                           {0.003f, -0.03f, 0.0f}, 40, 30);
+constexpr int kColumn = 5, kRow = 22;
+
+Colour renderRecorded(int rays, std::function<float()> source) {
+  record = {};
+  RecordingSampler sampler(std::move(source));
+  return LitScene(kNoScene, 8).renderPixel(kColumn, kRow, kCamera, rays, sampler);
+}
+
+// Where the rays went within the pixel, [0,1] by [0,1].
+std::vector<glm::dvec2> recordedPoints() {
+  std::vector<glm::dvec2> points;
+  for (const Ray& ray : record.rays)
+    points.push_back(filmPoint(kCamera, ray.direction) - glm::dvec2(kColumn, kRow));
+  return points;
+}
+
+// Kuhn's algorithm: a ray of its own for each stratum. A ray next to a border may count for the
+// strata on either side.
+class StrataMatching {
+ public:
+  StrataMatching(const std::vector<glm::dvec2>& points, int n, double tolerance)
+      : pointsOf_(std::size_t(n * n)), ownerOf_(points.size(), kNobody) {
+    for (std::size_t m = 0; m < points.size(); ++m) {
+      const glm::dvec2 low = (points[m] - tolerance) * double(n),
+                       high = (points[m] + tolerance) * double(n);
+      for (int l = std::max(int(std::floor(low.y)), 0); l <= std::min(int(high.y), n - 1); ++l)
+        for (int k = std::max(int(std::floor(low.x)), 0); k <= std::min(int(high.x), n - 1); ++k)
+          pointsOf_[std::size_t(l * n + k)].push_back(m);
+    }
+  }
+
+  bool everyStratumIsHit() {
+    for (std::size_t cell = 0; cell < pointsOf_.size(); ++cell) {
+      visited_.assign(ownerOf_.size(), false);
+      if (!findPoint(cell)) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kNobody = ~std::size_t{0};
+
+  bool findPoint(std::size_t cell) {
+    for (const std::size_t m : pointsOf_[cell]) {
+      if (visited_[m]) continue;
+      visited_[m] = true;
+      if (ownerOf_[m] != kNobody && !findPoint(ownerOf_[m])) continue;
+      ownerOf_[m] = cell;
+      return true;
+    }
+    return false;
+  }
+
+  std::vector<std::vector<std::size_t>> pointsOf_;  // of each stratum
+  std::vector<std::size_t> ownerOf_;                // of each point
+  std::vector<bool> visited_;
+};
+
+constexpr std::array kRayCounts{1, 2, 3, 4, 5, 8, 9, 16, 17, 24, 25, 64, 255, 256, 1000, 1024};
+
+int strataPerSide(int rays) {
+  int n = 0;
+  while ((n + 1) * (n + 1) <= rays) ++n;
+  return n;
+}
+
+std::vector<std::function<float()>> sources() {
+  std::vector<std::function<float()>> result;
+  for (const float number : kEdgeNumbers) result.emplace_back([number] { return number; });
+  result.emplace_back([random = Uniforms(111)]() mutable { return random.next(); });
+  result.emplace_back(
+      [random = Uniforms(112)]() mutable { return float(random.between(0.01, 0.99)); });
+  return result;
+}
+
+TEST(RenderPixel, SendsOneRayThroughEachStratumAndTheRestAnywhere) {
+  const double tolerance = filmTolerance(kCamera, kColumn + 1, kRow + 1);
+  for (const int rays : kRayCounts) {
+    for (const auto& source : sources()) {
+      SCOPED_TRACE(::testing::Message() << rays << " rays");
+      renderRecorded(rays, source);
+      ASSERT_EQ(record.rays.size(), std::size_t(rays));
+      const std::vector<glm::dvec2> points = recordedPoints();
+      for (const glm::dvec2& p : points) {
+        ASSERT_GE(std::min(p.x, p.y), -tolerance);
+        ASSERT_LE(std::max(p.x, p.y), 1.0 + tolerance);
+      }
+      EXPECT_TRUE(StrataMatching(points, strataPerSide(rays), tolerance).everyStratumIsHit());
+    }
+  }
+}
+
+TEST(RenderPixel, SendsUnitRaysFromTheEye) {
+  renderRecorded(64, [random = Uniforms(113)]() mutable { return random.next(); });
+  for (const Ray& ray : record.rays) {
+    EXPECT_EQ(ray.origin, kCamera.eye());
+    EXPECT_TRUE(isUnit(ray.direction));
+  }
+}
+
+TEST(RenderPixel, StartsTheNumbersOfEachRayInOrder) {
+  for (const int rays : kRayCounts) {
+    renderRecorded(rays, [] { return 0.5f; });
+    ASSERT_EQ(record.started.size(), std::size_t(rays));
+    for (int m = 0; m < rays; ++m) {
+      EXPECT_EQ(record.started[std::size_t(m)], m);
+      EXPECT_EQ(record.startedBy[std::size_t(m)], std::size_t(m) + 1) << "startRay comes first";
+      EXPECT_GE(record.numbersOf[std::size_t(m)], 2) << "the ray's own numbers place it";
+    }
+    EXPECT_EQ(record.stray, 0);
+  }
+}
+
+TEST(RenderPixel, ReturnsTheMeanOfAllRays) {
+  for (const int rays : kRayCounts) {
+    const Colour mean = renderRecorded(rays, [] { return 0.25f; });
+    glm::dvec3 expected(0.0);
+    for (int m = 0; m < rays; ++m)
+      expected += glm::dvec3(radianceOf(std::size_t(m))) / double(rays);
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(isClose(mean[c], expected[c], 1e-5)) << rays << " rays";
+  }
+}
+
+TEST(RenderPixel, BeginsAnewWithEachCall) {
+  const Colour first = renderRecorded(17, [] { return 0.25f; });
+  EXPECT_EQ(renderRecorded(17, [] { return 0.25f; }), first);
+}
+
+// Within its stratum a ray is uniform, in both axes independently.
+TEST(RenderPixel, FillsEachStratumEvenly) {
+  constexpr std::size_t kSide = 8;
+  constexpr int kStrata = 4;
+  stats::WeightedCells cells(kSide * kSide);
+  Uniforms random(114);
+  for (int pixel = 0; pixel < 2000; ++pixel) {
+    renderRecorded(kStrata * kStrata, [&] { return random.next(); });
+    for (const glm::dvec2& p : recordedPoints()) {
+      const glm::dvec2 within = glm::fract(p * double(kStrata)) * double(kSide);
+      cells.add(std::min(std::size_t(within.x), kSide - 1) * kSide +
+                std::min(std::size_t(within.y), kSide - 1));
+    }
+  }
+  const std::vector<double> equal(kSide * kSide, 1.0 / (kSide * kSide));
+  EXPECT_TRUE(cellsAre(cells, equal, kAlpha));
+}
+
+// Of three rays two, and of eight rays four, are without a stratum.
+TEST(RenderPixel, SendsTheRemainingRaysEvenlyThroughThePixel) {
+  constexpr std::size_t kSide = 8;
+  for (const int rays : {3, 8}) {
+    stats::WeightedCells cells(kSide * kSide);
+    Uniforms random(115);
+    for (int pixel = 0; pixel < 10000; ++pixel) {
+      renderRecorded(rays, [&] { return random.next(); });
+      for (const glm::dvec2& p : recordedPoints()) {
+        const glm::dvec2 at = glm::clamp(p, 0.0, 1.0) * double(kSide);
+        cells.add(std::min(std::size_t(at.x), kSide - 1) * kSide +
+                  std::min(std::size_t(at.y), kSide - 1));
+      }
+    }
+    const std::vector<double> equal(kSide * kSide, 1.0 / (kSide * kSide));
+    EXPECT_TRUE(cellsAre(cells, equal, kAlpha)) << rays << " rays";
+  }
+}
+
+}  // namespace
+
+Colour LitScene::tracePath(const Ray& ray, Sampler&) const {
+  record.rays.push_back(ray);
+  record.numbersOf.push_back(record.numbers);
+  record.startedBy.push_back(record.started.size());
+  return radianceOf(record.rays.size() - 1);
+}
+
+}  // namespace pathmark
