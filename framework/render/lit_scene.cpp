@@ -6,15 +6,23 @@
 
 namespace pathmark {
 
-thread_local constinit std::uint64_t raysOfThisThread = 0;
+namespace {
+
+thread_local std::uint64_t rayCount = 0;
+
+}  // namespace
+
+std::uint64_t raysOfThisThread() { return rayCount; }
+void countRaysOfThisThread(std::uint64_t rays) { rayCount += rays; }
+void restartRayCount() { rayCount = 0; }
 
 bool LitScene::intersect(const Ray& ray, Hit& hit) const {
-  ++raysOfThisThread;
+  ++rayCount;
   return core_->intersect(ray, hit);
 }
 
 bool LitScene::visible(const Hit& from, const LightSample& to) const {
-  ++raysOfThisThread;
+  ++rayCount;
   return core_->visible(from, to);
 }
 

@@ -8,6 +8,8 @@
 
 namespace pathmark {
 
-extern thread_local constinit std::uint64_t raysOfThisThread;
+std::uint64_t raysOfThisThread();
+void countRaysOfThisThread(std::uint64_t rays);
+void restartRayCount();
 
 }  // namespace pathmark

@@ -53,8 +53,8 @@ class PixelRenderer {
       const Vector direction =
           normalize(camera.topLeft() + film.x * camera.pixelRight() + film.y * camera.pixelDown());
       sum += get_ray_radiance(camera.eye(), direction, Mesh{warmUp_}, seed);
-      ++raysOfThisThread;
     }
+    countRaysOfThisThread(rays);
     return sum / static_cast<double>(rays);
   }
 
@@ -107,7 +107,7 @@ bool renderPixelPasses(int i, int j, const RenderJob& job, PixelRenderer& render
     const Colour mean = renderer.render(i, j, job.firstRay + done, rays);
     addToFilm(mean, rays, pixel, film, invalid);
     slot.pixelsDone.fetch_add(1, std::memory_order_relaxed);
-    slot.raysTraced.store(raysOfThisThread, std::memory_order_relaxed);
+    slot.raysTraced.store(raysOfThisThread(), std::memory_order_relaxed);
   }
   return true;
 }
@@ -123,7 +123,7 @@ RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span
   const auto work = [&](std::uint32_t index) {
     flushDenormalsToZero();
     onThreadStart();
-    raysOfThisThread = 0;
+    restartRayCount();
     ThreadSlot& slot = board.threads[index];
     slot.threadId.store(static_cast<std::int32_t>(gettid()), std::memory_order_relaxed);
     PixelRenderer renderer(scene, job);

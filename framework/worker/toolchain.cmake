@@ -23,7 +23,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     DEPENDS ${api_headers}
     COMMENT "Precompiling pathmark/coursework.h"
     VERBATIM)
-  add_custom_target(pathmark_precompiled_header ALL
+  add_custom_target(pathmark_precompiled_header
     DEPENDS ${pch_folder}/pathmark/coursework.h.gch)
 endif()
 

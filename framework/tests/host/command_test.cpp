@@ -112,7 +112,7 @@ TEST_F(Command, AFileThatCannotBeWrittenIsExitCodeThree) {
 
 TEST_F(Command, ACrashIsASentenceAndExitCodeOneAndWritesNothing) {
   coursework_.setTracePath(
-      "(void)ray; (void)sampler;\n*(volatile int*)nullptr = 1;\n"
+      "(void)ray; (void)sampler;\n*(volatile int*)16 = 1;\n"
       "return Colour(0.0f);");
   expectSays(render({"--output", "a.png"}), 1, "part5_path.cpp:5, in LitScene::tracePath");
   EXPECT_FALSE(wrote("a.png"));
