@@ -8,6 +8,7 @@ namespace pathmark {
 
 // Part 4.1 (handout section 4.1): the value of the BRDF,
 //   f = Kd / pi + Ks (m + 2) / (2 pi) max(0, cos(alpha))^m.
+// Where cos(alpha) <= 0 the second term is 0 for every exponent, also for m = 0.
 //
 //   wo, wi   unit vectors away from the surface
 //   n        unit normal of the front

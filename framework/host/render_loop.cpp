@@ -44,6 +44,7 @@ RenderedImage renderImage(WorkerProcess& worker, const RenderSettings& settings,
   job.threads = settings.threads;
   job.seed = settings.seed;
   job.raysPerPass = raysPerPass(settings.raysPerPixel);
+  job.region = {0, 0, settings.width, settings.height};
 
   const auto started = Clock::now();
   const double pixels = static_cast<double>(settings.width) * settings.height;

@@ -1,7 +1,7 @@
 // What a render asks of a worker, and what comes back; shared by the host and the worker.
 //
 //   FilmPixel       sums in double of what renderPixel returned
-//   RenderJob       which rays to make
+//   RenderJob       which rays to make, in which part of the image
 //   InvalidPixels   values that are no radiance, counted and kept out of the film
 #pragma once
 
@@ -17,6 +17,12 @@ struct FilmPixel {
 
 enum class Estimator : std::uint32_t { kPath = 0, kWarmUp = 1 };
 
+// Pixels of the image, from the top left.
+struct PixelRegion {
+  std::int32_t left = 0, top = 0;
+  std::int32_t width = 0, height = 0;
+};
+
 struct RenderJob {
   Estimator estimator = Estimator::kPath;
   std::uint32_t threads = 1;
@@ -24,6 +30,7 @@ struct RenderJob {
   std::uint64_t firstRay = 0;  // of each pixel: a multiple of raysPerPass
   std::uint64_t rays = 1;      // of each pixel, in this job
   std::uint32_t raysPerPass = 1;
+  PixelRegion region;  // to render; what reaches beyond the image is cut off
 };
 
 struct InvalidPixels {

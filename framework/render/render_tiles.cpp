@@ -80,18 +80,39 @@ void addToFilm(const Colour& mean, std::uint32_t rays, std::uint64_t pixel, Film
   film.rays += rays;
 }
 
-struct Tiles {
-  int columns, rows;
-  std::atomic<int> next{0};
+struct Tile {
+  int left, top, right, bottom;
+};
 
-  explicit Tiles(const SimpleCamera& camera)
-      : columns((camera.width() + kTileSize - 1) / kTileSize),
-        rows((camera.height() + kTileSize - 1) / kTileSize) {}
+// The tiles of a region, row by row, each given out once.
+class Tiles {
+ public:
+  Tiles(const PixelRegion& region, const SimpleCamera& camera)
+      : left_(std::clamp(region.left, 0, camera.width())),
+        top_(std::clamp(region.top, 0, camera.height())),
+        right_(end(left_, region.left, region.width, camera.width())),
+        bottom_(end(top_, region.top, region.height, camera.height())),
+        columns_((right_ - left_ + kTileSize - 1) / kTileSize),
+        count_(columns_ * ((bottom_ - top_ + kTileSize - 1) / kTileSize)) {}
 
-  bool take(int& tile) {
-    tile = next.fetch_add(1, std::memory_order_relaxed);
-    return tile < columns * rows;
+  bool take(Tile& tile) {
+    const int index = next_.fetch_add(1, std::memory_order_relaxed);
+    if (index >= count_) return false;
+    const int left = left_ + index % columns_ * kTileSize;
+    const int top = top_ + index / columns_ * kTileSize;
+    tile = {left, top, std::min(left + kTileSize, right_), std::min(top + kTileSize, bottom_)};
+    return true;
   }
+
+ private:
+  static int end(int clampedStart, int start, int length, int size) {
+    const std::int64_t end = std::int64_t{start} + std::max(length, 0);
+    return static_cast<int>(std::clamp<std::int64_t>(end, clampedStart, size));
+  }
+
+  int left_, top_, right_, bottom_;
+  int columns_, count_;
+  std::atomic<int> next_{0};
 };
 
 // All passes of one pixel. Returns false when the host has asked to stop.
@@ -116,8 +137,8 @@ bool renderPixelPasses(int i, int j, const RenderJob& job, PixelRenderer& render
 
 RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span<FilmPixel> film,
                          ProgressBoard& board, const std::function<void()>& onThreadStart) {
-  const int width = scene.camera().width(), height = scene.camera().height();
-  Tiles tiles(scene.camera());
+  const int width = scene.camera().width();
+  Tiles tiles(job.region, scene.camera());
   std::vector<InvalidPixels> invalid(job.threads);
 
   const auto work = [&](std::uint32_t index) {
@@ -129,15 +150,13 @@ RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span
     PixelRenderer renderer(scene, job);
     InvalidPixels found;
     bool going = true;
-    for (int tile = 0; going && tiles.take(tile);) {
-      const int left = tile % tiles.columns * kTileSize, top = tile / tiles.columns * kTileSize;
-      for (int j = top; going && j < std::min(top + kTileSize, height); ++j)
-        for (int i = left; going && i < std::min(left + kTileSize, width); ++i) {
+    for (Tile tile{}; going && tiles.take(tile);)
+      for (int j = tile.top; going && j < tile.bottom; ++j)
+        for (int i = tile.left; going && i < tile.right; ++i) {
           const auto pixel = static_cast<std::uint64_t>(j) * static_cast<std::uint64_t>(width) +
                              static_cast<std::uint64_t>(i);
           going = renderPixelPasses(i, j, job, renderer, pixel, film[pixel], found, board, slot);
         }
-    }
     invalid[index] = found;
     slot.threadId.store(0, std::memory_order_relaxed);
   };

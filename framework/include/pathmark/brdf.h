@@ -42,7 +42,8 @@ class lambertianBRDF final : public BRDF {
 
 // The modified Phong model (Lafortune & Willems 1994): a diffuse and a specular lobe,
 //   f = Kd / pi + Ks (m + 2) / (2 pi) max(0, cos alpha)^m,
-// m the exponent, alpha the angle between wi and the mirror direction of wo.
+// m the exponent, alpha the angle between wi and the mirror direction of wo. From alpha = 90
+// degrees on the specular lobe is 0 for every exponent, also for m = 0.
 class phongBRDF final : public BRDF {
  public:
   phongBRDF(const Colour& diffuse, const Colour& specular, float m)

@@ -74,6 +74,36 @@ TEST(Render, CancellingKeepsWhatThereIs) {
   EXPECT_EQ(render(*worker, 4, 2, 1).raysPerPixel, 4.0) << "the worker can go on";
 }
 
+// A part of the image is the same part of the whole image, and nothing else is touched.
+TEST(Render, RegionsHaveTheBitsOfTheWholeImage) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(37, 21));
+  const std::vector<float> whole = render(*worker, 4, 1, 0).image.rgb;
+  for (const PixelRegion region :
+       {PixelRegion{5, 3, 20, 7}, PixelRegion{30, 15, 100, 100}, PixelRegion{-4, -9, 6, 12},
+        PixelRegion{50, 50, 9, 9}, PixelRegion{3, 3, -1, 5}}) {
+    SharedFilm film(37, 21);
+    RenderJob job;
+    job.threads = 3;
+    job.rays = 4;
+    job.raysPerPass = 4;
+    job.region = region;
+    worker->render(job, film, [](const RenderProgress&) { return true; });
+    for (int j = 0; j < 21; ++j)
+      for (int i = 0; i < 37; ++i) {
+        const bool inside = i >= region.left && i < region.left + region.width && j >= region.top &&
+                            j < region.top + region.height;
+        const auto at = static_cast<std::size_t>(j * 37 + i);
+        const FilmPixel& pixel = film.pixels()[at];
+        ASSERT_EQ(pixel.rays, inside ? 4.0 : 0.0) << i << " " << j;
+        if (inside) {
+          ASSERT_EQ(static_cast<float>(pixel.sum[1] / 4.0), whole[3 * at + 1]);
+        }
+      }
+  }
+}
+
 TEST(Render, WarmUpUsesPartZeroOnly) {
   TestCoursework coursework;
   const auto worker = coursework.start();
