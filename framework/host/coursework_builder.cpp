@@ -1,5 +1,6 @@
 #include "host/coursework_builder.h"
 
+#include "host/build_cache.h"
 #include "host/build_config.h"
 #include "host/content_hash.h"
 #include "host/subprocess.h"
@@ -163,7 +164,12 @@ void buildPart(PartBuild& part, fs::path& object) {
   const fs::path folder = kBuildFolder / "workers/objects";
   fs::create_directories(folder);
   const fs::path made = folder / (key + ".o");
-  part.compiled = fs::exists(made) || compileObject(*code, part.source, made, part.messages);
+  if (fs::exists(made)) {
+    markUsed(made);
+    part.compiled = true;
+  } else {
+    part.compiled = compileObject(*code, part.source, made, part.messages);
+  }
   if (part.compiled) object = made;
 }
 
@@ -183,9 +189,10 @@ void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
   std::string inputs;
   for (const std::string& object : framework) inputs += stamp(object);
   for (const fs::path& object : objects) inputs += object.filename().string() + "\n";
-  const fs::path folder = kBuildFolder / "workers" / contentHash(inputs);
+  const fs::path folder = kBuildFolder / "workers/linked" / contentHash(inputs);
   const fs::path worker = folder / "worker";
   if (fs::exists(worker)) {
+    markUsed(folder);
     result.worker = worker;
     return;
   }
@@ -214,6 +221,8 @@ void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
   if (linked.exitCode != 0) return;
   fs::rename(made, worker);
   result.worker = worker;
+  pruneCache(kBuildFolder / "workers/linked");
+  pruneCache(kBuildFolder / "workers/objects");
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+// The folder where compiled coursework is kept, so that it does not grow without end.
+#pragma once
+
+#include <filesystem>
+
+namespace pathmark {
+
+// Notes that an entry has been used just now.
+void markUsed(const std::filesystem::path& entry);
+
+// Removes entries of the folder beyond the newest few hundred, unless they were used within the
+// last hour: another process may be about to link or start them.
+void pruneCache(const std::filesystem::path& folder);
+
+}  // namespace pathmark
