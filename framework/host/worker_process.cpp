@@ -346,7 +346,7 @@ void WorkerProcess::failStalled(int thread) {
   while (!crashRecord_ && crash_.get() >= 0 && Clock::now() < deadline) pump(kPollMilliseconds, 0);
   std::string where;
   if (crashRecord_) where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder);
-  if (where.empty()) where = "The coursework";
+  if (where.empty()) where = "Somewhere in the coursework";
   fail(WorkerFault::kTimeLimit,
        fmt::format("{}: no answer for {:g} s, stopped; is there a loop that never ends?", where,
                    options_.limits.secondsWithoutAnswer));

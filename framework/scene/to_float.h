@@ -7,9 +7,8 @@
 
 namespace pathmark {
 
-inline Float3 toFloat3(const glm::dvec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
+// Not inline: GCC 12 with ThreadSanitizer leaves the rounding out where it sees both conversions.
+Float3 toFloat3(const glm::dvec3& v);
 
 inline glm::dvec3 toDouble3(const Float3& v) { return {v[0], v[1], v[2]}; }
 

@@ -48,6 +48,12 @@ void expectContains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
+// ThreadSanitizer holds signals back until the next call into its library, which an endless loop
+// without calls never makes: then the place cannot be known.
+void expectPlaceOfLoop(const std::string& sentence, const std::string& place) {
+  if (build::kSanitizers != "thread") expectContains(sentence, place);
+}
+
 TEST(WorkerFault, SegmentationFaultNamesFunctionFileAndLine) {
   TestCoursework coursework;
   coursework.setTracePath(
@@ -71,7 +77,7 @@ TEST(WorkerFault, EndlessLoopIsStoppedAndNamesItsLine) {
       "sampler.next1D()).weight);");
   const Failure failure = failureOf(coursework);
   EXPECT_EQ(failure.fault, WorkerFault::kTimeLimit);
-  expectContains(failure.sentence, "part6_roulette.cpp:5, in LitScene::RussianRoulette");
+  expectPlaceOfLoop(failure.sentence, "part6_roulette.cpp:5, in LitScene::RussianRoulette");
   expectContains(failure.sentence, "no answer for 1 s");
 }
 
@@ -210,7 +216,7 @@ TEST(WorkerFault, ACallThatNeverReturnsIsStopped) {
     FAIL() << "nothing was reported";
   } catch (const WorkerError& e) {
     EXPECT_EQ(e.fault(), WorkerFault::kTimeLimit);
-    expectContains(e.what(), "part6_roulette.cpp:5");
+    expectPlaceOfLoop(e.what(), "part6_roulette.cpp:5");
   }
 }
 
