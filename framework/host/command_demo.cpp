@@ -23,7 +23,7 @@ constexpr const char* kScenes[] = {"ucl_rectangle", "cornell_box"};
 int renderAndPrint(const Coursework& coursework, const std::string& name, std::uint64_t rays,
                    const fs::path& folder) {
   const LoadedScene scene = loadScene(findScene(name));
-  RenderRequestOptions options;
+  RenderOptions options;
   options.raysPerPixel = rays;
   const RenderOutcome outcome = renderScene(coursework, scene, options);
   const RenderedImage& rendered = outcome.rendered;

@@ -26,7 +26,7 @@ struct RenderArguments {
   std::string output;
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
-  RenderRequestOptions options;
+  RenderOptions options;
 };
 
 std::array<int, 2> parseSize(const std::string& text) {

@@ -62,7 +62,7 @@ fs::path findScene(const std::string& scene) {
 }
 
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
-                          const RenderRequestOptions& options) {
+                          const RenderOptions& options) {
   ProgressBar bar(fmt::format("{}, {}", scene.name, coursework.name));
   WorkerProcess::Options worker;
   worker.program = coursework.worker;

@@ -40,7 +40,7 @@ std::filesystem::path findScene(const std::string& scene);
 // The file names without ending in scenes/, sorted.
 std::vector<std::string> sceneNames();
 
-struct RenderRequestOptions {
+struct RenderOptions {
   std::uint64_t raysPerPixel = 64;
   std::uint32_t threads = 0;  // 0: one for each processor
   std::uint64_t seed = 0;
@@ -55,7 +55,7 @@ struct RenderOutcome {
 
 // Renders with a progress bar. Throws WorkerError.
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
-                          const RenderRequestOptions& options);
+                          const RenderOptions& options);
 
 // A sentence about values that are no radiance; empty if there are none.
 std::string invalidSentence(const RenderedImage& image, bool warmUp);

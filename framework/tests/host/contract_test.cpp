@@ -47,7 +47,7 @@ TEST(Contract, UnwrittenCourseworkBuildsRendersAndIsKnownAsUnwritten) {
   for (const std::string& name : sceneNames()) {
     SceneOverrides small;
     small.size = {16, 16};
-    RenderRequestOptions options;
+    RenderOptions options;
     options.raysPerPixel = 4;
     const RenderOutcome outcome = renderScene(student, loadScene(findScene(name), small), options);
     EXPECT_EQ(outcome.stubs.unwritten.size(), contract().size());

@@ -28,7 +28,7 @@ Image render(const std::filesystem::path& scene, int maxBounces, std::uint64_t r
   SceneOverrides overrides;
   overrides.size = {16, 16};
   overrides.maxBounces = maxBounces;
-  RenderRequestOptions options;
+  RenderOptions options;
   options.raysPerPixel = rays;
   options.seed = seed;
   return renderScene(solutions(), loadScene(scene, overrides), options).rendered.image;

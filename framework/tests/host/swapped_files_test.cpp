@@ -25,7 +25,7 @@ std::size_t unwrittenIn(const TemporaryFolder& folder, unsigned fromSolutions) {
   EXPECT_FALSE(build.worker.empty()) << build.failure();
   SceneOverrides small;
   small.size = {12, 12};
-  RenderRequestOptions options;
+  RenderOptions options;
   options.raysPerPixel = 4;
   const Coursework mixed{"mixed", build.folder, build.worker};
   std::size_t unwritten = 0;
