@@ -51,21 +51,21 @@ void answerLoadScene(const Message& request, WorkerState& state) {
   sendReply(request, asBytes(reply));
 }
 
+// A request that does not fit the scene gets an empty answer, which the host knows for what it is.
 void answerRender(const Message& request, const WorkerState& state) {
-  RenderResult result;
   const auto* body = request.as<RenderRequest>();
-  if (body && state.scene) {
-    const SimpleCamera& camera = state.scene->camera();
-    const std::size_t pixels =
-        static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
-    const auto block = SharedBlock::map(request.descriptor, body->bytes, true);
-    if (block && block->bytes().size() >= kFilmOffset + pixels * sizeof(FilmPixel)) {
-      std::byte* memory = block->data();
-      auto& board = *reinterpret_cast<ProgressBoard*>(memory);
-      auto* film = reinterpret_cast<FilmPixel*>(memory + kFilmOffset);
-      result = renderTiles(*state.scene, body->job, {film, pixels}, board, prepareThreadForCrashes);
-    }
-  }
+  if (!body || !state.scene || body->job.threads > kMaxThreads) return sendReply(request, {});
+  const SimpleCamera& camera = state.scene->camera();
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
+  const auto block = SharedBlock::map(request.descriptor, body->bytes, true);
+  if (!block || block->bytes().size() < kFilmOffset + pixels * sizeof(FilmPixel))
+    return sendReply(request, {});
+  std::byte* memory = block->data();
+  auto& board = *reinterpret_cast<ProgressBoard*>(memory);
+  auto* film = reinterpret_cast<FilmPixel*>(memory + kFilmOffset);
+  const RenderResult result =
+      renderTiles(*state.scene, body->job, {film, pixels}, board, prepareThreadForCrashes);
   sendReply(request, asBytes(result));
 }
 

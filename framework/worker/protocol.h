@@ -7,7 +7,7 @@
 //   kHello       -> Hello
 //   kStubs       {} -> StubRecord[]
 //   kLoadScene   LoadSceneRequest + descriptor of a packed scene, sealed -> LoadSceneReply
-//   kRender      RenderRequest + descriptor of a film -> RenderResult
+//   kRender      RenderRequest + descriptor of a film -> RenderResult, or nothing without a scene
 //   kCall        CallRequest, object words, input words -> output words
 #pragma once
 

@@ -56,6 +56,14 @@ TEST(Render, PassesContinueTheNumbersOfAPixel) {
   EXPECT_FLOAT_EQ(rest.rgb[1], (64.0f * 64.0f + 36.0f * 36.0f) / 100.0f);
 }
 
+TEST(Render, WithoutASceneOrWithAFilmOfAnotherSizeIsRefused) {
+  TestCoursework coursework;
+  EXPECT_THROW(render(*coursework.start(), 4, 2, 0), WorkerError);
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(370, 210));
+  EXPECT_THROW(render(*worker, 4, 2, 0), WorkerError);
+}
+
 TEST(Render, CancellingKeepsWhatThereIs) {
   TestCoursework coursework;
   const auto worker = coursework.start();
