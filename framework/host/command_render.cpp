@@ -17,8 +17,6 @@ namespace pathmark {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct RenderArguments {
   std::string scene;
   std::string with = "student";

@@ -28,7 +28,7 @@ const fs::path kProjectFolder{build::kProjectFolder};
 
 const fs::path kContractSymbols = kProjectFolder / "framework/worker/contract.symbols";
 
-constexpr std::uintmax_t kLargestSource = 1024 * 1024;
+constexpr std::uintmax_t kLargestSource = std::uintmax_t{1} << 20;
 
 std::optional<std::string> readFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

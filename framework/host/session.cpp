@@ -53,7 +53,7 @@ fs::path findScene(const std::string& scene) {
       fs::path(scene).extension() == ".json")
     return scene;
   for (const char* folder : {"scenes", "student/scenes"}) {
-    const fs::path file = kProjectFolder / folder / (scene + ".json");
+    fs::path file = kProjectFolder / folder / (scene + ".json");
     if (fs::exists(file)) return file;
   }
   throw UsageError(

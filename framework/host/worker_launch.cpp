@@ -35,7 +35,7 @@ void setLimit(decltype(RLIMIT_CORE) what, rlim_t value) {
   setrlimit(what, &limit);
 }
 
-constexpr rlim_t kStackBytes = 8 * 1024 * 1024;
+constexpr rlim_t kStackBytes = rlim_t{8} << 20;
 
 // Between fork and exec: calls that are safe there, and nothing else.
 [[noreturn]] void becomeWorker(const char* program, int socket, int text, int crash,

@@ -259,6 +259,7 @@ std::size_t findMaterial(const std::string& name, const Place& place,
       [](const MaterialDescription& m, const std::string& wanted) { return m.name < wanted; });
   if (found == materials.end() || found->name != name) {
     std::vector<std::string_view> names;
+    names.reserve(materials.size());
     for (const MaterialDescription& m : materials) names.push_back(m.name);
     place.refuse(fmt::format("found {}, but /materials has no material of this name.{}",
                              inQuotes(name), didYouMean(name, names)));

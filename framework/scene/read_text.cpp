@@ -11,7 +11,7 @@
 namespace pathmark {
 namespace {
 
-constexpr std::uintmax_t kMegabyte = 1024 * 1024;
+constexpr std::uintmax_t kMegabyte = std::uintmax_t{1} << 20;
 constexpr std::uintmax_t kLargestFile = 256 * kMegabyte;
 
 }  // namespace

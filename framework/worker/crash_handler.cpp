@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <memory>
 #include <typeinfo>
@@ -24,8 +24,8 @@ namespace pathmark {
 
 namespace {
 
-constexpr std::size_t kSignalStackBytes = 64 * 1024;
-constexpr std::uintptr_t kGuardBytes = 1024 * 1024;  // around the end of a stack
+constexpr std::size_t kSignalStackBytes = std::size_t{64} << 10;
+constexpr std::uintptr_t kGuardBytes = std::uintptr_t{1} << 20;  // around the end of a stack
 
 struct ThreadStack {
   std::unique_ptr<std::byte[]> signalStack;
@@ -126,11 +126,10 @@ void onTerminate() {
       int status = 0;
       const std::unique_ptr<char, decltype(&std::free)> name(
           abi::__cxa_demangle(typeid(e).name(), nullptr, nullptr, &status), &std::free);
-      std::strncpy(record.text, status == 0 ? name.get() : typeid(e).name(), 100);
-      std::strcat(record.text, ": ");
-      std::strncat(record.text, e.what(), sizeof record.text - std::strlen(record.text) - 1);
+      std::snprintf(record.text, sizeof record.text, "%s: %s",
+                    status == 0 ? name.get() : typeid(e).name(), e.what());
     } catch (...) {
-      std::strcpy(record.text, "a value that is no std::exception");
+      std::snprintf(record.text, sizeof record.text, "a value that is no std::exception");
     }
   }
   fillFrames(record, 0);
