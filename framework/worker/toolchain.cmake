@@ -13,7 +13,9 @@ if(glm_include AND NOT glm_include STREQUAL "/usr/include")
 endif()
 set(pch_folder ${CMAKE_BINARY_DIR}/precompiled)
 set(coursework_header ${PROJECT_SOURCE_DIR}/framework/include/pathmark/coursework.h)
-file(GLOB api_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/framework/include/pathmark/*.h)
+set(api_headers brdf camera coursework frame lit_scene sampler shapes types unimplemented warmup)
+list(TRANSFORM api_headers PREPEND ${PROJECT_SOURCE_DIR}/framework/include/pathmark/)
+list(TRANSFORM api_headers APPEND .h)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_custom_command(
     OUTPUT ${pch_folder}/pathmark/coursework.h.gch
