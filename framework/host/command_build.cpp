@@ -34,9 +34,11 @@ void addBuildCommand(CLI::App& app, CommandAction& action) {
   const auto folders = std::make_shared<std::vector<std::string>>();
   CLI::App* command =
       app.add_subcommand("build", "Build the program, and compile coursework with it");
-  command->add_option("--with", *folders,
-                      "Coursework to compile: student, solutions, or folders (default: student, "
-                      "and solutions if they are there)");
+  command
+      ->add_option("--with", *folders,
+                   "Coursework to compile: student, solutions, or folders (default: student, "
+                   "and solutions if they are there)")
+      ->type_name("DIR");
   command->footer(
       "Examples:\n"
       "  ./pathmark build\n"

@@ -3,7 +3,7 @@
 #include "host/build_config.h"
 #include "host/commands.h"
 #include "host/exit_code.h"
-#include "host/interrupt.h"
+#include "host/options.h"
 #include "host/session.h"
 
 #include <fmt/format.h>
@@ -72,7 +72,8 @@ int demo(std::uint64_t rays) {
     if (code == kInterrupted) return code;
   }
   fmt::print("\nThe pictures are in {}\n", fs::proximate(folder).string());
-  if (code == kSuccess) fmt::print("Next: ./pathmark status says where to begin.\n");
+  if (code == kSuccess)
+    fmt::print("Next: ./pathmark status says what is written and what is not.\n");
   return code;
 }
 
@@ -82,8 +83,9 @@ void addDemoCommand(CLI::App& app, CommandAction& action) {
   const auto rays = std::make_shared<std::uint64_t>(64);
   CLI::App* command = app.add_subcommand(
       "demo", "Install what is missing, build, and render two scenes with both courseworks");
-  command->add_option("--rays-per-pixel", *rays, "Rays through each pixel (default: 64)")
-      ->check(CLI::Range(1, 1000000000));
+  takesWholeNumber(
+      command->add_option("--rays-per-pixel", *rays, "Rays through each pixel (default: 64)"), 1,
+      1000000000);
   command->footer(
       "Examples:\n"
       "  ./pathmark demo\n"

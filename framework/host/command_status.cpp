@@ -64,7 +64,8 @@ std::optional<std::string> showScenes(const fs::path& folder) {
   std::string problem;
   for (const fs::path& file : files) {
     try {
-      captioned += loadScene(file).caption.empty() ? 0 : 1;
+      const bool blank = loadScene(file).caption.find_first_not_of(" \t\r\n") == std::string::npos;
+      captioned += blank ? 0 : 1;
     } catch (const SceneError& e) {
       problem = e.what();
     }
@@ -78,13 +79,13 @@ std::optional<std::string> showScenes(const fs::path& folder) {
 }
 
 int status(const std::string& with) {
-  const fs::path folder = courseworkFolder(with);
-  if (!fs::is_directory(folder))
-    throw UsageError(fmt::format("{} is no folder of coursework files.", folder.string()));
+  const fs::path folder = findCoursework(with);
   const CourseworkBuild build = buildCoursework(folder, Incomplete::kLeaveThemOut);
   if (build.worker.empty()) throw CourseworkError(build.failure());
+  const bool linked = build.linkMessages.empty();
   const StubReport report = askWorker(build);
   std::optional<std::string> next;
+  if (build.complete() && !linked) next = "mend this: " + build.failure();
   for (const PartBuild& part : build.parts) {
     const std::optional<std::string> todo = showPart(part, report);
     if (!next) next = todo;
@@ -92,7 +93,7 @@ int status(const std::string& with) {
   const std::optional<std::string> scenes = showScenes(folder);
   if (!next) next = scenes;
   fmt::print("\n{}\n", next ? "Next: " + *next : "Everything is written.");
-  return build.complete() ? kSuccess : kCourseworkFault;
+  return build.complete() && linked ? kSuccess : kCourseworkFault;
 }
 
 }  // namespace
@@ -101,8 +102,10 @@ void addStatusCommand(CLI::App& app, CommandAction& action) {
   const auto with = std::make_shared<std::string>("student");
   CLI::App* command =
       app.add_subcommand("status", "Say which functions are written, and what comes next");
-  command->add_option("--with", *with,
-                      "Coursework: student (default), solutions, or a folder of part*.cpp files");
+  command
+      ->add_option("--with", *with,
+                   "Coursework: student (default), solutions, or a folder of part*.cpp files")
+      ->type_name("DIR");
   command->footer(
       "Examples:\n"
       "  ./pathmark status\n"

@@ -156,7 +156,8 @@ void buildPart(PartBuild& part, fs::path& object) {
   }
   const std::optional<std::string> code = readFile(part.source);
   if (!code) {
-    part.messages = " it cannot be read; a coursework folder holds the same files as student/.";
+    part.messages = fmt::format(" it {}; a coursework folder holds the same files as student/.",
+                                fs::exists(part.source) ? "cannot be read" : "is missing");
     return;
   }
   const std::string key = contentHash(toolchainStamp() + folderPrefix(part.source.parent_path()) +
@@ -184,7 +185,30 @@ void buildParts(std::vector<PartBuild>& parts, std::vector<fs::path>& objects) {
   work();
 }
 
-void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
+// With `lenient`, functions that are nowhere defined get the address zero.
+ProcessResult runLinker(const std::vector<std::string>& framework,
+                        const std::vector<fs::path>& objects, const fs::path& program,
+                        bool lenient) {
+  ProcessRequest request;
+  request.arguments.emplace_back(build::kCompiler);
+  for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
+  if (lenient) {
+    // That works only in a program that is not moved, and with the system's own linker.
+    request.arguments.emplace_back("-no-pie");
+    request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
+  } else if (!build::kLinkerFlag.empty()) {
+    request.arguments.emplace_back(build::kLinkerFlag);
+  }
+  request.arguments.emplace_back("-pthread");
+  request.arguments.emplace_back("-o");
+  request.arguments.push_back(program.string());
+  request.arguments.insert(request.arguments.end(), framework.begin(), framework.end());
+  for (const fs::path& object : objects)
+    if (!object.empty()) request.arguments.push_back(object.string());
+  return runProcess(request);
+}
+
+void link(CourseworkBuild& result, const std::vector<fs::path>& objects, Incomplete policy) {
   const std::vector<std::string> framework = readLines(kBuildFolder / "worker_objects.txt");
   std::string inputs;
   for (const std::string& object : framework) inputs += stamp(object);
@@ -196,33 +220,43 @@ void link(CourseworkBuild& result, const std::vector<fs::path>& objects) {
     result.worker = worker;
     return;
   }
-  fs::create_directories(folder);
   const ScratchFolder scratch;
   const fs::path made = scratch / "worker";
-  ProcessRequest request;
-  request.arguments.emplace_back(build::kCompiler);
-  for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
-  if (!result.complete()) {
-    // Addresses that are not known at all can stay zero only in a program that is not moved, and
-    // with the system's own linker.
-    request.arguments.emplace_back("-no-pie");
-    request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
-  } else if (!build::kLinkerFlag.empty()) {
-    request.arguments.emplace_back(build::kLinkerFlag);
+  ProcessResult linked = runLinker(framework, objects, made, !result.complete());
+  if (linked.exitCode != 0) {
+    result.linkMessages = linked.output;
+    if (policy == Incomplete::kNoWorker) return;
+    // In a place of its own: the next request for a whole worker must fail again.
+    const fs::path partial = kBuildFolder / "workers/linked" / contentHash(inputs + "partial");
+    linked = runLinker(framework, objects, made, true);
+    if (linked.exitCode != 0) return;
+    fs::create_directories(partial);
+    fs::rename(made, partial / "worker");
+    result.worker = partial / "worker";
+    return;
   }
-  request.arguments.emplace_back("-pthread");
-  request.arguments.emplace_back("-o");
-  request.arguments.push_back(made.string());
-  request.arguments.insert(request.arguments.end(), framework.begin(), framework.end());
-  for (const fs::path& object : objects)
-    if (!object.empty()) request.arguments.push_back(object.string());
-  const ProcessResult linked = runProcess(request);
-  result.linkMessages = linked.output;
-  if (linked.exitCode != 0) return;
+  fs::create_directories(folder);
   fs::rename(made, worker);
   result.worker = worker;
   pruneCache(kBuildFolder / "workers/linked");
   pruneCache(kBuildFolder / "workers/objects");
+}
+
+// The functions of the contract that the linker has not found anywhere. A class's table comes with
+// its first function.
+std::vector<std::string_view> undefinedFunctions(const std::string& linkMessages) {
+  const auto says = [&](const std::string& words) {
+    return linkMessages.find("undefined symbol: " + words) != std::string::npos ||
+           linkMessages.find("undefined reference to `" + words) != std::string::npos;
+  };
+  std::vector<std::string_view> names;
+  for (const FunctionContract& f : contract()) {
+    const std::string name(f.name), owner = name.substr(0, name.find("::"));
+    const bool first = f.name.ends_with("BRDF::brdf");
+    if (says("pathmark::" + name + "(") || (first && says("vtable for pathmark::" + owner)))
+      names.push_back(f.name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -236,7 +270,13 @@ std::string CourseworkBuild::failure() const {
   for (const PartBuild& p : parts)
     if (!p.compiled)
       text += fmt::format("{} does not compile:{}\n", fs::proximate(p.source).string(), p.messages);
-  if (worker.empty() && !linkMessages.empty())
+  const std::vector<std::string_view> undefined = undefinedFunctions(linkMessages);
+  if (!undefined.empty())
+    text += fmt::format(
+        "{} defines no {} with the parameters that the header declares; is a name or a type "
+        "different, or \"const\" missing?\n",
+        fs::proximate(folder).string(), fmt::join(undefined, ", "));
+  else if (!linkMessages.empty())
     text += fmt::format("{} does not link:\n{}", fs::proximate(folder).string(), linkMessages);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
@@ -249,7 +289,7 @@ CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy) {
     result.parts.push_back({part, folder / part.file, {}, {}});
   std::vector<fs::path> objects(result.parts.size());
   buildParts(result.parts, objects);
-  if (result.complete() || policy == Incomplete::kLeaveThemOut) link(result, objects);
+  if (result.complete() || policy == Incomplete::kLeaveThemOut) link(result, objects, policy);
   return result;
 }
 

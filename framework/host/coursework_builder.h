@@ -24,7 +24,7 @@ struct CourseworkBuild {
   std::filesystem::path folder;
   std::vector<PartBuild> parts;
   std::filesystem::path worker;  // empty if it could not be made
-  std::string linkMessages;
+  std::string linkMessages;      // empty if all functions were found
 
   bool complete() const;        // every part compiled, and the worker linked
   std::string failure() const;  // sentences about what did not, with the compiler's words

@@ -95,16 +95,25 @@ std::string signalName(int signal) {
 }
 
 std::string crashPlace(const CrashRecord& record, const fs::path& program,
-                       const fs::path& courseworkFolder) {
+                       const fs::path& courseworkFolder, bool callers) {
+  constexpr int kMostCallers = 3;
   const fs::path folder = fs::absolute(courseworkFolder).lexically_normal();
+  std::string place, last;
+  int shown = 0;
   for (const Frame& frame : frames(record, program)) {
     const fs::path file = fs::path(frame.file).lexically_normal();
     const fs::path inside = file.lexically_relative(folder);
     if (inside.empty() || *inside.begin() == "..") continue;
-    return fmt::format("{}:{}, in {}", fs::proximate(file).string(), frame.line,
-                       briefName(frame.function));
+    const std::string name = briefName(frame.function);
+    if (place.empty()) {
+      place = fmt::format("{}:{}, in {}", fs::proximate(file).string(), frame.line, name);
+      if (!callers) return place;
+    } else if (name != last && shown++ < kMostCallers) {
+      place += fmt::format(", called from {} (line {})", name, frame.line);
+    }
+    last = name;
   }
-  return {};
+  return place;
 }
 
 std::string crashSentence(const CrashRecord& record, const fs::path& program,

@@ -9,9 +9,10 @@
 namespace pathmark {
 
 // "student/part5_path.cpp:31, in LitScene::tracePath", the innermost frame that lies in the
-// coursework folder; empty if there is none.
+// coursework folder; empty if there is none. With `callers`, the functions of the coursework that
+// led there follow, ", called from ...".
 std::string crashPlace(const CrashRecord& record, const std::filesystem::path& program,
-                       const std::filesystem::path& courseworkFolder);
+                       const std::filesystem::path& courseworkFolder, bool callers = false);
 
 // The whole sentence.
 std::string crashSentence(const CrashRecord& record, const std::filesystem::path& program,

@@ -5,10 +5,12 @@
 #include "host/interrupt.h"
 #include "host/session.h"
 #include "scene/load_scene.h"
+#include "scene/spelling.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <system_error>
@@ -25,6 +27,24 @@ void addScriptCommand(CLI::App& app, const char* name, const char* what, const c
     throw UsageError(
         fmt::format("Run ./pathmark {}: the script does this, not the program.", name));
   });
+}
+
+// A word that no option of the command takes.
+int complainOfExtras(const CLI::App& app) {
+  const CLI::App* command = &app;
+  for (const CLI::App* sub : app.get_subcommands()) command = sub;
+  const std::vector<std::string> extras = command->remaining();
+  // The library hands them over from the last to the first.
+  auto word = std::find_if(extras.rbegin(), extras.rend(),
+                           [](const std::string& w) { return w.starts_with("-"); });
+  if (word == extras.rend()) word = extras.rbegin();
+  if (word == extras.rend()) return kUsageFault;
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command->get_options()) names.push_back(option->get_name());
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  fmt::print(stderr, "{} was not expected; {} {} --help lists what is.{}\n", *word, app.get_name(),
+             command == &app ? "" : command->get_name(), didYouMean(*word, views));
+  return kUsageFault;
 }
 
 int complain(const char* sentence, int code) {
@@ -59,6 +79,8 @@ int run(int argc, char** argv) {
       "handouts/.");
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    return complainOfExtras(app);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? kSuccess : kUsageFault;
   }

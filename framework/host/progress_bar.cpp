@@ -27,7 +27,7 @@ ProgressBar::ProgressBar(std::string title)
     : title_(std::move(title)), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::show(const RenderStatus& status) {
-  if (!terminal_) return;
+  if (!terminal_ || lineOpen_) return;
   constexpr int kWidth = 24;
   const int full = static_cast<int>(std::lround(status.fraction * kWidth));
   const double rate = static_cast<double>(status.raysTraced) / std::max(status.seconds, 1e-9);
@@ -41,12 +41,14 @@ void ProgressBar::show(const RenderStatus& status) {
 
 void ProgressBar::clear() {
   if (shown_) std::fputs("\r\033[K", stderr);
-  shown_ = false;
+  if (lineOpen_) std::fputs("\n", stderr);
+  shown_ = lineOpen_ = false;
 }
 
 void ProgressBar::printAbove(std::string_view text) {
-  clear();
+  if (shown_) clear();
   std::fwrite(text.data(), 1, text.size(), stderr);
+  lineOpen_ = !text.empty() && text.back() != '\n';
 }
 
 }  // namespace pathmark

@@ -18,13 +18,14 @@ class ProgressBar {
   void show(const RenderStatus& status);
   void clear();
 
-  // Text of somebody else on standard error, above the bar.
+  // Text of somebody else on standard error, above the bar; clear() ends its last line.
   void printAbove(std::string_view text);
 
  private:
   std::string title_;
   bool terminal_;
   bool shown_ = false;
+  bool lineOpen_ = false;
 };
 
 }  // namespace pathmark

@@ -4,6 +4,7 @@
 #include "host/coursework_builder.h"
 #include "host/interrupt.h"
 #include "host/progress_bar.h"
+#include "scene/spelling.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path kProjectFolder{build::kProjectFolder};
+constexpr const char* kSceneFolders[] = {"scenes", "student/scenes"};
 
 std::string courseworkName(const std::string& with, const fs::path& folder) {
   if (with == "student" || with == "solutions") return with;
@@ -27,12 +29,18 @@ std::string courseworkName(const std::string& with, const fs::path& folder) {
 
 }  // namespace
 
+fs::path findCoursework(const std::string& with) {
+  fs::path folder = courseworkFolder(with);
+  if (fs::is_directory(folder)) return folder;
+  const bool solved = fs::is_directory(kProjectFolder / "solutions");
+  throw UsageError(
+      fmt::format("--with {}: there is no folder {}; it is student{}, or the path of a "
+                  "folder with the files part*.cpp.",
+                  with, fs::proximate(folder).string(), solved ? ", solutions" : ""));
+}
+
 Coursework prepareCoursework(const std::string& with) {
-  const fs::path folder = courseworkFolder(with);
-  if (!fs::is_directory(folder))
-    throw CourseworkError(fmt::format(
-        "{} is no folder: --with takes student, solutions, or a folder with part*.cpp files.",
-        fs::proximate(folder).string()));
+  const fs::path folder = findCoursework(with);
   const CourseworkBuild build = buildCoursework(folder);
   if (build.worker.empty()) throw CourseworkError(build.failure());
   for (const PartBuild& part : build.parts) std::fputs(part.messages.c_str(), stderr);
@@ -41,9 +49,13 @@ Coursework prepareCoursework(const std::string& with) {
 
 std::vector<std::string> sceneNames() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(kProjectFolder / "scenes"))
-    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
-      names.push_back(entry.path().stem().string());
+  for (const char* folder : kSceneFolders) {
+    const fs::path path = kProjectFolder / folder;
+    if (!fs::is_directory(path)) continue;
+    for (const auto& entry : fs::directory_iterator(path))
+      if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
+        names.push_back(entry.path().stem().string());
+  }
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -52,13 +64,15 @@ fs::path findScene(const std::string& scene) {
   if (fs::is_regular_file(scene) || scene.find('/') != std::string::npos ||
       fs::path(scene).extension() == ".json")
     return scene;
-  for (const char* folder : {"scenes", "student/scenes"}) {
+  for (const char* folder : kSceneFolders) {
     fs::path file = kProjectFolder / folder / (scene + ".json");
     if (fs::exists(file)) return file;
   }
+  const std::vector<std::string> names = sceneNames();
+  const std::vector<std::string_view> views(names.begin(), names.end());
   throw UsageError(
-      fmt::format("There is no scene {}: it is one of {}, or the path of a .json file.", scene,
-                  fmt::join(sceneNames(), ", ")));
+      fmt::format("There is no scene {}: it is one of {}, or the path of a .json file.{}", scene,
+                  fmt::join(names, ", "), didYouMean(scene, views)));
 }
 
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,

@@ -31,13 +31,17 @@ struct Coursework {
   std::filesystem::path worker;
 };
 
-// Compiles and links; prints the compiler's warnings to standard error. Throws CourseworkError.
+// The folder meant by --with. Throws UsageError if there is none.
+std::filesystem::path findCoursework(const std::string& with);
+
+// Compiles and links; prints the compiler's warnings to standard error. Throws UsageError and
+// CourseworkError.
 Coursework prepareCoursework(const std::string& with);
 
 // A scene by its file, or by its name in scenes/ or student/scenes/. Throws UsageError.
 std::filesystem::path findScene(const std::string& scene);
 
-// The file names without ending in scenes/, sorted.
+// The file names without ending in these folders, sorted.
 std::vector<std::string> sceneNames();
 
 struct RenderOptions {

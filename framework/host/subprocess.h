@@ -12,7 +12,8 @@ struct ProcessRequest {
   std::string input;                   // for standard input
   std::filesystem::path folder;        // to run in; empty: this process's
   double timeLimitSeconds = 120.0;
-  std::size_t outputLimit = std::size_t{256} << 10;  // bytes kept of what it prints; the rest is dropped
+  std::size_t outputLimit = std::size_t{256}
+                            << 10;  // bytes kept of what it prints; the rest is dropped
 };
 
 struct ProcessResult {

@@ -74,8 +74,10 @@ std::string complaint(std::string_view text, const Token& token, std::string_vie
   constexpr std::string_view kMark = "; expected ";
   const std::size_t mark = message.rfind(kMark);
   if (mark == std::string_view::npos) return fmt::format("found {}, but this is not JSON.", found);
-  return fmt::format("found {}, but JSON wants {} here.", found,
-                     message.substr(mark + kMark.size()));
+  const std::string_view wanted = message.substr(mark + kMark.size());
+  const bool closing = wanted == "'}'" || wanted == "']'";
+  return fmt::format("found {}, but JSON wants {}{} here.", found, closing ? "a comma or " : "",
+                     wanted);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "worker/channel.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -71,7 +73,10 @@ std::optional<Message> receiveRequest() {
 
 void sendHello() { sendMessage(MessageKind::kHello, 0, asBytes(Hello{})); }
 
+// What coursework has printed goes before the answer: afterwards the host may end this process.
 void sendReply(const Message& request, std::span<const std::byte> body) {
+  std::cout.flush();
+  std::fflush(nullptr);
   sendMessage(request.header.kind, request.header.sequence, body);
 }
 

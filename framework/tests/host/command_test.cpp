@@ -91,8 +91,17 @@ TEST_F(Command, WrongCommandLinesAreSentencesAndExitCodeTwo) {
       {{"render", "furnace", "--max-bounces", "-1"}, "--max-bounces"},
       {{"render", "furnace", "--seed", "x"}, "--seed"},
       {{"render", "furnace", "--output", "a.jpg"}, ".png or .pfm"},
-      {{"render", "furnace", "--frobnicate"}, "--frobnicate"},
-      {{"status", "--with", "/no/such/folder"}, "no folder"},
+      {{"render", "furnace", "--frobnicate"}, "--frobnicate was not expected"},
+      {{"render", "furnace", "--ray-per-pixel", "4"}, "Did you mean \"--rays-per-pixel\"?"},
+      {{"render", "furnace", "--rays-per-pixel", "4.5"}, "a whole number from 1"},
+      {{"render", "furnace", "--seed", "-1"}, "a whole number from 0"},
+      {{"render", "furnace", "--seed", "99999999999999999999999"}, "a whole number from 0"},
+      {{"render", "furnace", "--size", "16384x16384"}, "which is the most"},
+      {{"render", "furnace", "--output", "no/such/folder.png"}, "there is no folder no/such"},
+      {{"render", "Cornell-Box"}, "Did you mean \"cornell_box\"?"},
+      {{"render", "furnace", "--with", "/no/such/folder"}, "there is no folder"},
+      {{"build", "--with", "/no/such/folder"}, "there is no folder"},
+      {{"status", "--with", "/no/such/folder"}, "there is no folder"},
   };
   for (const auto& [arguments, words] : cases) {
     std::string line;
@@ -102,12 +111,31 @@ TEST_F(Command, WrongCommandLinesAreSentencesAndExitCodeTwo) {
   }
 }
 
-TEST_F(Command, CourseworkThatIsNotThereIsExitCodeOne) {
-  expectSays(pathmark({"render", "furnace", "--with", "/no/such/folder"}), 1, "no folder");
+TEST_F(Command, AFileThatCannotBeWrittenIsExitCodeThree) {
+  // /proc is a folder in which nobody can make files.
+  expectSays(render({"--size", "8x8", "--output", "/proc/a.png"}), 3, "cannot be written");
 }
 
-TEST_F(Command, AFileThatCannotBeWrittenIsExitCodeThree) {
-  expectSays(render({"--size", "8x8", "--output", "no/such/folder.png"}), 3, "cannot be written");
+TEST_F(Command, WarmUpTellsOfSpheresAndListsItsOwnStubsOnly) {
+  const ProcessResult result = render({"--size", "8x8", "--warm-up"});
+  expectSays(result, 0, "2 spheres are left out, and with them all light");
+}
+
+TEST_F(Command, AssertionsHoldInCoursework) {
+  coursework_.write("part5_path.cpp",
+                    "#include <pathmark/coursework.h>\n#include <cassert>\nnamespace pathmark {\n"
+                    "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                    "  assert(maxBounces() < 0); return Colour(0.0f);\n}\n}\n");
+  expectSays(render({"--size", "8x8"}), 1, "SIGABRT");
+}
+
+TEST_F(Command, AFunctionOfAnotherNameIsASentenceAndStatusStillHasItsTable) {
+  coursework_.setFile("part6_roulette.cpp",
+                      "Roulette russianRoulette(const Colour&, int, float) { return {}; }");
+  expectSays(render({}), 1, "defines no LitScene::RussianRoulette with the parameters");
+  const ProcessResult status = pathmark({"status", "--with", coursework_.folder().string()});
+  expectSays(status, 1, "7 of 7 written");
+  expectSays(status, 1, "defines no LitScene::RussianRoulette");
 }
 
 TEST_F(Command, ACrashIsASentenceAndExitCodeOneAndWritesNothing) {
@@ -143,7 +171,7 @@ TEST_F(Command, WhatCourseworkPrintsIsShown) {
   coursework_.write("part5_path.cpp",
                     "#include <pathmark/coursework.h>\n#include <iostream>\nnamespace pathmark {\n"
                     "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
-                    "  std::cout << \"hello from a path\\n\"; return Colour(0.0f);\n}\n}\n");
+                    "  std::cout << \"hello from a path\"; return Colour(0.0f);\n}\n}\n");
   expectSays(render({"--size", "2x2", "--rays-per-pixel", "1"}), 0, "hello from a path");
 }
 
