@@ -2,6 +2,7 @@
 #include "film/image.h"
 #include "host/build_config.h"
 #include "host/commands.h"
+#include "host/display_path.h"
 #include "host/exit_code.h"
 #include "host/options.h"
 #include "host/session.h"
@@ -71,7 +72,7 @@ int demo(std::uint64_t rays) {
     code = std::max(code, demoCoursework(with, rays, folder));
     if (code == kInterrupted) return code;
   }
-  fmt::print("\nThe pictures are in {}\n", fs::proximate(folder).string());
+  fmt::print("\nThe pictures are in {}\n", displayPath(folder));
   if (code == kSuccess)
     fmt::print("Next: ./pathmark status says what is written and what is not.\n");
   return code;

@@ -2,6 +2,7 @@
 #include "host/build_config.h"
 #include "host/commands.h"
 #include "host/coursework_builder.h"
+#include "host/display_path.h"
 #include "host/exit_code.h"
 #include "host/session.h"
 
@@ -39,7 +40,7 @@ std::optional<std::string> showPart(const PartBuild& part, const StubReport& rep
     all.push_back(f);
     if (report.isUnwritten(f.function)) missing.push_back(f);
   }
-  const std::string file = fs::proximate(part.source).string();
+  const std::string file = displayPath(part.source);
   const std::string title = fmt::format("Part {}  {:<44}", part.part.part, part.part.title);
   if (!part.compiled) {
     fmt::print("{} does not compile\n", title);
@@ -75,7 +76,7 @@ std::optional<std::string> showScenes(const fs::path& folder) {
   if (!problem.empty()) return "mend a scene: " + problem;
   if (captioned > 0) return std::nullopt;
   return fmt::format("write a scene in {}; the chapter is handouts/part7_scenes.md.",
-                     fs::proximate(scenes).string());
+                     displayPath(scenes));
 }
 
 int status(const std::string& with) {

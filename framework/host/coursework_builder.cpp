@@ -3,6 +3,7 @@
 #include "host/build_cache.h"
 #include "host/build_config.h"
 #include "host/content_hash.h"
+#include "host/display_path.h"
 #include "host/subprocess.h"
 
 #include <fmt/format.h>
@@ -94,7 +95,7 @@ std::string folderPrefix(const fs::path& folder) {
 // What the compiler says of the copy, said of the file that people know.
 std::string nameOriginal(std::string text, const ScratchFolder& scratch, const fs::path& folder) {
   const std::string from = scratch.path().string() + "/";
-  const std::string to = fs::proximate(folder).string() + "/";
+  const std::string to = displayPath(folder) + "/";
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
   return text;
@@ -269,15 +270,15 @@ std::string CourseworkBuild::failure() const {
   std::string text;
   for (const PartBuild& p : parts)
     if (!p.compiled)
-      text += fmt::format("{} does not compile:{}\n", fs::proximate(p.source).string(), p.messages);
+      text += fmt::format("{} does not compile:{}\n", displayPath(p.source), p.messages);
   const std::vector<std::string_view> undefined = undefinedFunctions(linkMessages);
   if (!undefined.empty())
     text += fmt::format(
         "{} defines no {} with the parameters that the header declares; is a name or a type "
         "different, or \"const\" missing?\n",
-        fs::proximate(folder).string(), fmt::join(undefined, ", "));
+        displayPath(folder), fmt::join(undefined, ", "));
   else if (!linkMessages.empty())
-    text += fmt::format("{} does not link:\n{}", fs::proximate(folder).string(), linkMessages);
+    text += fmt::format("{} does not link:\n{}", displayPath(folder), linkMessages);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
 }

@@ -1,6 +1,7 @@
 #include "host/crash_sentence.h"
 
 #include "host/build_config.h"
+#include "host/display_path.h"
 #include "host/subprocess.h"
 
 #include <fmt/format.h>
@@ -106,7 +107,7 @@ std::string crashPlace(const CrashRecord& record, const fs::path& program,
     if (inside.empty() || *inside.begin() == "..") continue;
     const std::string name = briefName(frame.function);
     if (place.empty()) {
-      place = fmt::format("{}:{}, in {}", fs::proximate(file).string(), frame.line, name);
+      place = fmt::format("{}:{}, in {}", displayPath(file), frame.line, name);
       if (!callers) return place;
     } else if (name != last && shown++ < kMostCallers) {
       place += fmt::format(", called from {} (line {})", name, frame.line);

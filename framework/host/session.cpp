@@ -2,6 +2,7 @@
 
 #include "host/build_config.h"
 #include "host/coursework_builder.h"
+#include "host/display_path.h"
 #include "host/interrupt.h"
 #include "host/progress_bar.h"
 #include "scene/spelling.h"
@@ -36,7 +37,7 @@ fs::path findCoursework(const std::string& with) {
   throw UsageError(
       fmt::format("--with {}: there is no folder {}; it is student{}, or the path of a "
                   "folder with the files part*.cpp.",
-                  with, fs::proximate(folder).string(), solved ? ", solutions" : ""));
+                  with, displayPath(folder), solved ? ", solutions" : ""));
 }
 
 Coursework prepareCoursework(const std::string& with) {

@@ -345,7 +345,8 @@ void WorkerProcess::failStalled(int thread) {
   const auto deadline = Clock::now() + std::chrono::seconds(1);
   while (!crashRecord_ && crash_.get() >= 0 && Clock::now() < deadline) pump(kPollMilliseconds, 0);
   std::string where;
-  if (crashRecord_) where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder, true);
+  if (crashRecord_)
+    where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder, true);
   if (where.empty()) where = "Somewhere in the coursework";
   fail(WorkerFault::kTimeLimit,
        fmt::format("{}: no answer for {:g} s, stopped; is there a loop that never ends?", where,
