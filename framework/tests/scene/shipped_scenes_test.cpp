@@ -45,13 +45,10 @@ TEST(ShippedScenes, KeepTheCoordinatesOfTheirFile) {
   }
 }
 
+// The stub as it is handed out; a student's own copy is theirs to change and to break.
 TEST(ShippedScenes, TheStudentsSceneIsValidAndNotWrittenYet) {
-  const auto file = kRoot / "student" / "scenes" / "my_scene.json";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no student folder here";
-  loadScene(file);
-  if (std::filesystem::exists(kRoot / "solutions")) {
-    EXPECT_TRUE(loadScene(file).caption.empty());
-  }
+  if (!std::filesystem::exists(kRoot / "solutions")) GTEST_SKIP() << "a student's own copy";
+  EXPECT_TRUE(loadScene(kRoot / "student" / "scenes" / "my_scene.json").caption.empty());
 }
 
 TEST(ShippedScenes, TheSolvedSceneHasACaption) {
