@@ -32,7 +32,17 @@ StubReport askWorker(const CourseworkBuild& build) {
   return makeStubReport(WorkerProcess(std::move(options)).stubs());
 }
 
-// Prints the line of one part; returns what to do next in it, if anything.
+// What is broken comes before what is not there yet.
+std::optional<std::string> whatToMend(const CourseworkBuild& build) {
+  for (const PartBuild& part : build.parts)
+    if (!part.compiled)
+      return fmt::format("mend {}, which does not compile:{}", displayPath(part.source),
+                         part.messages);
+  if (!build.linkMessages.empty()) return "mend this: " + build.failure();
+  return std::nullopt;
+}
+
+// Prints the line of one part; returns what to write next in it, if anything.
 std::optional<std::string> showPart(const PartBuild& part, const StubReport& report) {
   std::vector<FunctionContract> all, missing;
   for (const FunctionContract& f : contract()) {
@@ -40,17 +50,16 @@ std::optional<std::string> showPart(const PartBuild& part, const StubReport& rep
     all.push_back(f);
     if (report.isUnwritten(f.function)) missing.push_back(f);
   }
-  const std::string file = displayPath(part.source);
   const std::string title = fmt::format("Part {}  {:<44}", part.part.part, part.part.title);
   if (!part.compiled) {
     fmt::print("{} does not compile\n", title);
-    return fmt::format("mend {}, which does not compile:{}", file, part.messages);
+    return std::nullopt;
   }
   fmt::print("{} {} of {} written\n", title, all.size() - missing.size(), all.size());
   for (const FunctionContract& f : missing) fmt::print("          {}  {}\n", f.section, f.name);
   if (missing.empty()) return std::nullopt;
   return fmt::format("write {} in {}; the task stands above it, the chapter is {}.",
-                     missing.front().name, file, handout(part.part.part));
+                     missing.front().name, displayPath(part.source), handout(part.part.part));
 }
 
 // Part 7 is scenes: one counts as written when it has a caption.
@@ -83,10 +92,9 @@ int status(const std::string& with) {
   const fs::path folder = findCoursework(with);
   const CourseworkBuild build = buildCoursework(folder, Incomplete::kLeaveThemOut);
   if (build.worker.empty()) throw CourseworkError(build.failure());
-  const bool linked = build.linkMessages.empty();
   const StubReport report = askWorker(build);
-  std::optional<std::string> next;
-  if (build.complete() && !linked) next = "mend this: " + build.failure();
+  const std::optional<std::string> broken = whatToMend(build);
+  std::optional<std::string> next = broken;
   for (const PartBuild& part : build.parts) {
     const std::optional<std::string> todo = showPart(part, report);
     if (!next) next = todo;
@@ -94,7 +102,7 @@ int status(const std::string& with) {
   const std::optional<std::string> scenes = showScenes(folder);
   if (!next) next = scenes;
   fmt::print("\n{}\n", next ? "Next: " + *next : "Everything is written.");
-  return build.complete() && linked ? kSuccess : kCourseworkFault;
+  return broken ? kCourseworkFault : kSuccess;
 }
 
 }  // namespace
@@ -111,7 +119,7 @@ void addStatusCommand(CLI::App& app, CommandAction& action) {
       "Examples:\n"
       "  ./pathmark status\n"
       "  ./pathmark status --with ../submission\n\n"
-      "Exit code: 0 if everything compiles, 1 if not.");
+      "Exit code: 0 if everything compiles and links, 1 if not.");
   command->callback([with, &action] { action = [with] { return status(*with); }; });
 }
 

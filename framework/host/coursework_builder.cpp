@@ -52,10 +52,10 @@ std::string stamp(const fs::path& file) {
   return fmt::format("{} {} {}\n", file.string(), time, fs::file_size(file, error));
 }
 
-// The flags and the headers that every coursework object depends on.
+// The compiler, the flags and the headers that every coursework object depends on.
 const std::string& toolchainStamp() {
   static const std::string all = [] {
-    std::string text{build::kCompiler};
+    std::string text = stamp(build::kCompiler);
     for (const std::string_view flag : build::kCourseworkFlags) text.append(" ").append(flag);
     for (const auto& header : fs::directory_iterator(kProjectFolder / "framework/include/pathmark"))
       text += stamp(header.path());

@@ -66,8 +66,8 @@ fs::path findScene(const std::string& scene) {
       fs::path(scene).extension() == ".json")
     return scene;
   for (const char* folder : kSceneFolders) {
-    fs::path file = kProjectFolder / folder / (scene + ".json");
-    if (fs::exists(file)) return file;
+    const fs::path file = kProjectFolder / folder / (scene + ".json");
+    if (fs::exists(file)) return displayPath(file);
   }
   const std::vector<std::string> names = sceneNames();
   const std::vector<std::string_view> views(names.begin(), names.end());

@@ -186,6 +186,20 @@ TEST_F(Command, StatusListsWhatIsMissingAndWhatComesNext) {
   expectSays(result, 0, "Next: write LitScene::RussianRoulette");
 }
 
+TEST_F(Command, StatusPutsMendingBeforeWriting) {
+  coursework_.setFile("part0_warmup.cpp", "");
+  coursework_.setFile("part1_stratified.cpp",
+                      "Ray SimpleCamera::StratifiedRandomRay(int, int, int, int, int, float,\n"
+                      "                                      float) const {\n"
+                      "  PATHMARK_UNIMPLEMENTED(\"part1_stratified.cpp\", "
+                      "\"SimpleCamera::StratifiedRandomRay\");\n  return {};\n}");
+  coursework_.setTracePath("return colour;");
+  const ProcessResult result = pathmark({"status", "--with", coursework_.folder().string()});
+  expectSays(result, 1, "1 of 2 written");
+  expectSays(result, 1, "Next: mend ");
+  EXPECT_EQ(result.output.find("Next: write"), std::string::npos);
+}
+
 TEST_F(Command, StatusOfABrokenFileStillTellsOfTheOthers) {
   coursework_.setTracePath("return colour;");
   const ProcessResult result = pathmark({"status", "--with", coursework_.folder().string()});
