@@ -14,9 +14,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
 constexpr int kRaysPerPixel = 20;  // 4 x 4 strata and four rays more
 constexpr int kReplicates = 100;
 constexpr int kBounces = 5;

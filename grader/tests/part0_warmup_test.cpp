@@ -13,11 +13,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
-constexpr double kPiD = std::numbers::pi;
-constexpr double kRoundoff = 0x1p-24;
 constexpr std::uint32_t kMultiplier = 1664525u, kIncrement = 1013904223u;
 
 // PCG2D is a bijection of 64 bits: the seed that is hashed to `hash`, every step undone.

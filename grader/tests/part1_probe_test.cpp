@@ -16,9 +16,6 @@ class SceneCore {};
 
 namespace {
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
 using namespace testing;
 
 // What renderPixel did, in order.

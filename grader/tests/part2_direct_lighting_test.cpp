@@ -12,11 +12,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
-constexpr double kPiD = std::numbers::pi;
-
 const Colour kEmission(3.0f, 2.0f, 0.5f), kKd(0.9f, 0.5f, 0.2f);
 const lambertianBRDF kReceiver(kKd);
 

@@ -13,11 +13,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
-constexpr double kRoundoff = 0x1p-24;
-
 using Sampling = LightSample (Polygon::*)(float, float) const;
 
 struct Case {

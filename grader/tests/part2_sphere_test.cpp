@@ -16,12 +16,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
-constexpr double kPiD = std::numbers::pi;
-constexpr double kRoundoff = 0x1p-24;
-
 // Radius over distance, from a sphere like a point to one that fills half of what is seen.
 constexpr std::array kRatios{1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 0.9, 0.99, 1 - 1e-3, 1 - 1e-4};
 

@@ -16,10 +16,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
-constexpr double kPiD = std::numbers::pi;
 const Colour kKd(0.25f, 0.5f, 0.9f);
 
 TEST(LambertianBrdf, IsKdOverPiAboveTheSurface) {

@@ -14,11 +14,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
-constexpr double kPiD = std::numbers::pi;
-constexpr double kRoundoff = 0x1p-24;
 constexpr std::array kExponents{0.0f, 0.5f, 1.0f, 7.3f, 100.0f, 1e4f, 1e6f};
 constexpr std::array kCosines{1.0, 0.7, 0.2, 1e-3};
 

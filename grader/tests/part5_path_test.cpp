@@ -15,9 +15,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
 struct Radiance {
   stats::RunningMoments channel[3];
 

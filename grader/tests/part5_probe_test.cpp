@@ -13,9 +13,6 @@ namespace {
 
 using namespace testing;
 
-// False-fail rate of each statistical comparison.
-constexpr double kAlpha = 1e-7;
-
 constexpr float kSurvival = 0.3f;
 
 struct Question {

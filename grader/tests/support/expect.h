@@ -16,9 +16,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <span>
 
 namespace pathmark::testing {
+
+// False-fail rate of each statistical comparison.
+inline constexpr double kAlpha = 1e-7;
+
+inline constexpr double kPiD = std::numbers::pi;
+inline constexpr double kRoundoff = 0x1p-24;  // half the distance between floats next to 1
 
 inline ::testing::AssertionResult meanIs(const stats::RunningMoments& samples, double expected,
                                          const stats::MeanTest& settings) {
