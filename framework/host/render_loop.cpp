@@ -13,17 +13,18 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+constexpr const char* kScribbled =
+    "The film holds values that the framework never writes: coursework must not write outside its "
+    "own variables.";
+
 // The film as it is now, checked: a worker may write anything into it at any time.
-std::vector<FilmPixel> copyFilm(const SharedFilm& film, std::uint64_t rays) {
+std::vector<FilmPixel> copyFilm(const SharedFilm& film, std::uint64_t rays, WorkerProcess& worker) {
   std::vector<FilmPixel> pixels(film.pixels().begin(), film.pixels().end());
   for (const FilmPixel& pixel : pixels) {
     const bool sane = std::isfinite(pixel.sum[0]) && std::isfinite(pixel.sum[1]) &&
                       std::isfinite(pixel.sum[2]) && pixel.rays >= 0.0 &&
                       pixel.rays <= static_cast<double>(rays);
-    if (!sane)
-      throw WorkerError(WorkerFault::kNonsense,
-                        "The film holds values that the framework never writes: coursework must "
-                        "not write outside its own variables.");
+    if (!sane) worker.refuseAnswer(kScribbled);
   }
   return pixels;
 }
@@ -75,10 +76,12 @@ RenderedImage renderImage(WorkerProcess& worker, const RenderSettings& settings,
     passes =
         static_cast<std::uint64_t>(std::clamp(fitting, 1.0, 4.0 * static_cast<double>(passes)));
   }
-  const std::vector<FilmPixel> final = copyFilm(film, settings.raysPerPixel);
+  const std::vector<FilmPixel> final = copyFilm(film, settings.raysPerPixel, worker);
   result.image = imageFromFilm(settings.width, settings.height, final);
   double rays = static_cast<double>(result.invalid.count()) * job.raysPerPass;
   for (const FilmPixel& pixel : final) rays += pixel.rays;
+  // Rays are missing only where their pass was reported as invalid.
+  if (result.complete && rays < allRays) worker.refuseAnswer(kScribbled);
   result.raysPerPixel =
       result.complete ? static_cast<double>(settings.raysPerPixel) : rays / pixels;
   result.seconds = secondsSince(started);

@@ -353,6 +353,10 @@ void WorkerProcess::failStalled(int thread) {
                    options_.limits.secondsWithoutAnswer));
 }
 
+void WorkerProcess::refuseAnswer(const std::string& sentence) {
+  fail(WorkerFault::kNonsense, sentence);
+}
+
 void WorkerProcess::fail(WorkerFault fault, const std::string& sentence) {
   closeAll();
   throw WorkerError(fault, sentence);

@@ -88,6 +88,9 @@ class WorkerProcess {
                                   std::span<const std::uint32_t> object,
                                   std::span<const std::uint32_t> inputs);
 
+  // Ends the worker for an answer that a closer look has shown to be none, and throws.
+  [[noreturn]] void refuseAnswer(const std::string& sentence);
+
   pid_t pid() const { return pid_; }
 
  private:

@@ -180,6 +180,37 @@ TEST(WorkerFault, ScribblingOnTheWireIsNonsense) {
   EXPECT_EQ(failureOf(coursework).fault, WorkerFault::kNonsense);
 }
 
+// Coursework that looks for the shared film and overwrites a page of it, while most pixels are
+// done, with a byte.
+void scribble(TestCoursework& coursework, const std::string& byte) {
+  coursework.write("part5_path.cpp",
+                   "#include <pathmark/coursework.h>\n#include <atomic>\n#include <cstdio>\n"
+                   "#include <cstring>\nnamespace pathmark {\n"
+                   "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                   "  static std::atomic<int> calls{0};\n"
+                   "  if (++calls != 4096) return Colour(0.5f);\n"
+                   "  std::FILE* maps = std::fopen(\"/proc/self/maps\", \"r\");\n"
+                   "  char line[512];\n"
+                   "  while (std::fgets(line, sizeof line, maps)) {\n"
+                   "    unsigned long begin = 0, end = 0;\n"
+                   "    if (std::strstr(line, \"pathmark-film\") &&\n"
+                   "        std::sscanf(line, \"%lx-%lx\", &begin, &end) == 2)\n"
+                   "      std::memset(reinterpret_cast<char*>(end) - 4 * 4096, " +
+                       byte +
+                       ", 4096);\n"
+                       "  }\n"
+                       "  return Colour(0.5f);\n}\n}\n");
+}
+
+TEST(WorkerFault, ScribblingOnTheFilmIsNonsense) {
+  for (const char* byte : {"0xff", "0x00", "0x11"}) {
+    SCOPED_TRACE(byte);
+    TestCoursework coursework;
+    scribble(coursework, byte);
+    EXPECT_EQ(failureOf(coursework).fault, WorkerFault::kNonsense);
+  }
+}
+
 TEST(WorkerFault, InvalidRadianceIsCountedLocatedAndKeptOutOfTheImage) {
   TestCoursework coursework;
   coursework.setFile(
