@@ -1,4 +1,4 @@
-#include "film/image.h"
+#include "film/image_file.h"
 
 #include <stb_image_write.h>
 

@@ -1,5 +1,5 @@
 // pathmark demo: the main job on real input, and a table of what it did.
-#include "film/image.h"
+#include "film/image_file.h"
 #include "host/build_config.h"
 #include "host/commands.h"
 #include "host/display_path.h"

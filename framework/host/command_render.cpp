@@ -1,5 +1,5 @@
 // pathmark render: one picture of one scene.
-#include "film/image.h"
+#include "film/image_file.h"
 #include "host/commands.h"
 #include "host/exit_code.h"
 #include "host/options.h"

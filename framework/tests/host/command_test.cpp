@@ -1,5 +1,5 @@
 // The program's commands, run as programs: what they print, write and return.
-#include "film/image.h"
+#include "film/image_file.h"
 #include "support/run_command.h"
 #include "support/test_coursework_files.h"
 

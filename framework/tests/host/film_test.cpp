@@ -1,6 +1,6 @@
 // Images: what is written can be read again, and nothing is ever half written.
 #include "film/atomic_file.h"
-#include "film/image.h"
+#include "film/image_file.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
