@@ -23,7 +23,7 @@ struct Image {
   std::vector<float> rgb;             // 3 x width x height
   std::vector<std::uint8_t> invalid;  // 1 for a pixel that has no valid ray; empty if none is
   // Of each value of rgb as an estimate, the square of its standard error; empty if unknown.
-  std::vector<float> variance;
+  std::vector<float> variance{};
 
   std::span<const float, 3> pixel(int column, int row) const {
     const auto at = 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

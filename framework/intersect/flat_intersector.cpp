@@ -10,7 +10,9 @@ namespace pathmark {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr Float3 kNowhere{std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::quiet_NaN()};
 
 }  // namespace
 
@@ -37,22 +39,22 @@ struct FlatIntersector::Shear {
   }
 };
 
-FlatIntersector::FlatIntersector(std::span<const FlatTriangle> triangles,
-                                 std::span<const FlatSphere> spheres,
-                                 std::span<const FlatShape> shapes)
-    : blocks_((triangles.size() + kLanes - 1) / kLanes) {
+FlatIntersector::FlatIntersector(const FlatSceneView& scene)
+    : blocks_((scene.triangles.size() + kLanes - 1) / kLanes) {
   for (std::size_t i = 0; i < blocks_.size() * kLanes; ++i) {
     TriangleBlock& block = blocks_[i / kLanes];
     const std::size_t lane = i % kLanes;
-    const bool present = i < triangles.size();
+    const bool present = i < scene.triangles.size();
+    const auto corners =
+        present ? scene.corners(scene.triangles[i]) : std::array<Float3, 3>{kNowhere, kNowhere};
     for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t axis = 0; axis < 3; ++axis)
-        block.vertex[corner][axis][lane] = present ? triangles[i].p[corner][axis] : kNaN;
-    const bool frontOnly = present && shapes[triangles[i].shape].frontOnly != 0;
+        block.vertex[corner][axis][lane] = corners[corner][axis];
+    const bool frontOnly = present && scene.shapes[scene.triangles[i].shape].frontOnly != 0;
     block.smallestArea[lane] = frontOnly ? 0.0f : -kInfinity;
   }
-  for (const FlatSphere& s : spheres) {
-    const bool frontOnly = shapes[s.shape].frontOnly != 0, inward = s.inward != 0;
+  for (const FlatSphere& s : scene.spheres) {
+    const bool frontOnly = scene.shapes[s.shape].frontOnly != 0, inward = s.inward != 0;
     spheres_.push_back({Point(s.centre[0], s.centre[1], s.centre[2]), s.radius, frontOnly && inward,
                         frontOnly && !inward});
   }

@@ -13,7 +13,6 @@
 #include <pathmark/types.h>
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace pathmark {
@@ -27,8 +26,7 @@ struct PrimitiveHit {
 
 class FlatIntersector {
  public:
-  FlatIntersector(std::span<const FlatTriangle> triangles, std::span<const FlatSphere> spheres,
-                  std::span<const FlatShape> shapes);
+  explicit FlatIntersector(const FlatSceneView& scene);
 
   // Returns whether the ray meets anything at t > 0, and then sets `hit` to the nearest.
   bool closest(const Ray& ray, PrimitiveHit& hit) const;

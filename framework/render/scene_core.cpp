@@ -25,7 +25,7 @@ SceneCore::SceneCore(const FlatSceneView& view)
     : view_(view),
       camera_(makeCamera(view.camera)),
       maxBounces_(static_cast<int>(view.maxBounces)),
-      intersector_(view.triangles, view.spheres, view.shapes) {
+      intersector_(view) {
   for (const FlatMaterial& m : view.materials) materials_.push_back(makeMaterial(m));
   buildLights();
 }
@@ -71,8 +71,9 @@ bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
   } else {
     const FlatTriangle& triangle = view_.triangles[primitive.index];
     const Vector b = primitive.barycentric;
-    const Point p0 = b.x * toVec3(triangle.p[0]), p1 = b.y * toVec3(triangle.p[1]),
-                p2 = b.z * toVec3(triangle.p[2]);
+    const std::array<Float3, 3> corners = view_.corners(triangle);
+    const Point p0 = b.x * toVec3(corners[0]), p1 = b.y * toVec3(corners[1]),
+                p2 = b.z * toVec3(corners[2]);
     hit.p = p0 + p1 + p2;
     hit.n = toVec3(triangle.normal);
     hit.error = offsetForMagnitude(largestComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2)));
@@ -96,7 +97,8 @@ std::vector<Triangle> SceneCore::warmUpTriangles() const {
   triangles.reserve(view_.triangles.size());
   for (const FlatTriangle& t : view_.triangles) {
     const FlatShape& shape = view_.shapes[t.shape];
-    triangles.push_back({{toVec3(t.p[0]), toVec3(t.p[1]), toVec3(t.p[2])},
+    const std::array<Float3, 3> corners = view_.corners(t);
+    triangles.push_back({{toVec3(corners[0]), toVec3(corners[1]), toVec3(corners[2])},
                          toVec3(t.normal),
                          toVec3(view_.materials[shape.material].kd),
                          toVec3(shape.emission)});

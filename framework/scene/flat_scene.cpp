@@ -11,9 +11,9 @@ namespace pathmark {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x656e656373204d50;  // "PM scene" in memory
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kAlignment = 16;
-constexpr std::size_t kArrays = 8;
+constexpr std::size_t kArrays = 9;
 
 struct alignas(kAlignment) Header {
   std::uint64_t magic = kMagic;
@@ -30,6 +30,7 @@ template <typename Scene, typename Visit>
 void forEachArray(Scene& scene, Visit&& visit) {
   visit(scene.materials);
   visit(scene.shapes);
+  visit(scene.vertices);
   visit(scene.triangles);
   visit(scene.spheres);
   visit(scene.lights);
@@ -70,20 +71,36 @@ bool isValid(const FlatSceneView& view) {
   const auto all = [](const auto& array, auto&& holds) {
     return std::all_of(array.begin(), array.end(), holds);
   };
-  const std::size_t shapes = view.shapes.size();
+  const std::size_t shapes = view.shapes.size(), vertices = view.vertices.size();
   return view.camera.width > 0 && view.camera.height > 0 &&
          all(view.materials,
              [](const FlatMaterial& m) {
                return m.kind == FlatMaterialKind::kLambertian || m.kind == FlatMaterialKind::kPhong;
              }) &&
          all(view.shapes, [&](const FlatShape& s) { return s.material < view.materials.size(); }) &&
-         all(view.triangles, [&](const FlatTriangle& t) { return t.shape < shapes; }) &&
+         all(view.triangles,
+             [&](const FlatTriangle& t) {
+               return t.shape < shapes && t.vertex[0] < vertices && t.vertex[1] < vertices &&
+                      t.vertex[2] < vertices;
+             }) &&
          all(view.spheres, [&](const FlatSphere& s) { return s.shape < shapes; }) &&
          all(view.faces, [&](const FlatFace& f) { return isValid(f, view); }) &&
          all(view.lights, [&](const FlatLight& l) { return isValid(l, view); });
 }
 
 }  // namespace
+
+void FlatScene::addTriangle(const std::array<Float3, 3>& corners, const Float3& normal,
+                            std::uint32_t shape) {
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  vertices.insert(vertices.end(), corners.begin(), corners.end());
+  triangles.push_back({{first, first + 1, first + 2}, shape, normal});
+}
+
+FlatSceneView viewOf(const FlatScene& s) {
+  return {s.camera,  s.maxBounces, s.materials, s.shapes,        s.vertices,      s.triangles,
+          s.spheres, s.lights,     s.faces,     s.lightVertices, s.lightTriangles};
+}
 
 std::vector<std::byte> packScene(const FlatScene& scene) {
   Header header;
@@ -123,7 +140,7 @@ std::optional<FlatSceneView> viewScene(std::span<const std::byte> block) {
   FlatSceneView view;
   view.camera = header.camera;
   view.maxBounces = header.maxBounces;
-  // Cannot overflow: eight counts of 32 bits, elements of less than 128 bytes.
+  // Cannot overflow: nine counts of 32 bits, elements of less than 128 bytes.
   std::uint64_t offset = sizeof(Header);
   bool fits = true;
   std::size_t index = 0;

@@ -3,6 +3,7 @@
 //   FlatScene       the arrays, owned; made by the host from a checked and normalised scene
 //   FlatSceneView   the same arrays in a block of memory, not owned; what a worker reads
 //   packScene       FlatScene -> block;  viewScene: block -> FlatSceneView
+//   viewOf          the view of a FlatScene itself
 //
 // Lengths are in the normalised coordinates of the scene (see normalise.h).
 #pragma once
@@ -35,9 +36,9 @@ struct FlatShape {
 };
 
 struct FlatTriangle {
-  std::array<Float3, 3> p{};
-  Float3 normal{};  // unit, of the front
+  std::array<std::uint32_t, 3> vertex{};  // into the scene's vertices, which triangles may share
   std::uint32_t shape = 0;
+  Float3 normal{};  // unit, of the front
 };
 
 struct FlatSphere {
@@ -77,12 +78,16 @@ struct FlatScene {
   std::uint32_t maxBounces = 8;
   std::vector<FlatMaterial> materials;
   std::vector<FlatShape> shapes;
+  std::vector<Float3> vertices;
   std::vector<FlatTriangle> triangles;
   std::vector<FlatSphere> spheres;
   std::vector<FlatLight> lights;
   std::vector<FlatFace> faces;
   std::vector<Float3> lightVertices;
   std::vector<std::array<std::uint32_t, 3>> lightTriangles;
+
+  // Appends a triangle with vertices of its own.
+  void addTriangle(const std::array<Float3, 3>& corners, const Float3& normal, std::uint32_t shape);
 };
 
 struct FlatSceneView {
@@ -90,13 +95,20 @@ struct FlatSceneView {
   std::uint32_t maxBounces = 8;
   std::span<const FlatMaterial> materials;
   std::span<const FlatShape> shapes;
+  std::span<const Float3> vertices;
   std::span<const FlatTriangle> triangles;
   std::span<const FlatSphere> spheres;
   std::span<const FlatLight> lights;
   std::span<const FlatFace> faces;
   std::span<const Float3> lightVertices;
   std::span<const std::array<std::uint32_t, 3>> lightTriangles;
+
+  std::array<Float3, 3> corners(const FlatTriangle& t) const {
+    return {vertices[t.vertex[0]], vertices[t.vertex[1]], vertices[t.vertex[2]]};
+  }
 };
+
+FlatSceneView viewOf(const FlatScene& scene);
 
 std::vector<std::byte> packScene(const FlatScene& scene);
 

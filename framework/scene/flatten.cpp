@@ -99,11 +99,9 @@ class Flattener {
   }
 
   void addTriangle(const Face& face, const TriangleIndices& t) {
-    FlatTriangle triangle;
-    for (std::size_t k = 0; k < 3; ++k) triangle.p[k] = toFloat3(face.vertices[t[k]]);
-    triangle.normal = toFloat3(face.normal);
-    triangle.shape = currentShape();
-    flat_.triangles.push_back(triangle);
+    std::array<Float3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = toFloat3(face.vertices[t[k]]);
+    flat_.addTriangle(corners, toFloat3(face.normal), currentShape());
   }
 
   void addLight(const std::vector<Face>& faces) {

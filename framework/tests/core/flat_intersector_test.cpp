@@ -16,16 +16,17 @@ using Vector3 = glm::vec<3, Real, glm::defaultp>;
 
 Float3 toFloat3(const vec3& v) { return {v.x, v.y, v.z}; }
 
-struct TestScene {
-  std::vector<FlatTriangle> triangles;
-  std::vector<FlatSphere> spheres;
-  std::vector<FlatShape> shapes{FlatShape{}};
+struct TestScene : FlatScene {
+  TestScene() { shapes.resize(1); }
 
-  void addTriangle(const vec3& a, const vec3& b, const vec3& c, std::uint32_t shape = 0) {
+  void addTriangle(const vec3& a, const vec3& b, const vec3& c) {
     const vec3 n = normalize(cross(b - a, c - a));
-    triangles.push_back({{toFloat3(a), toFloat3(b), toFloat3(c)}, toFloat3(n), shape});
+    FlatScene::addTriangle({toFloat3(a), toFloat3(b), toFloat3(c)}, toFloat3(n), 0);
   }
-  FlatIntersector build() const { return {triangles, spheres, shapes}; }
+  std::array<Float3, 3> corners(std::size_t triangle) const {
+    return viewOf(*this).corners(triangles[triangle]);
+  }
+  FlatIntersector build() const { return FlatIntersector(viewOf(*this)); }
 };
 
 class Random {
@@ -54,9 +55,9 @@ struct Oracle {
   bool hit = false;
 };
 
-Oracle oracleTriangle(const FlatTriangle& triangle, const Ray& ray) {
+Oracle oracleTriangle(const std::array<Float3, 3>& corners, const Ray& ray) {
   const auto corner = [&](std::size_t k) {
-    return Vector3(triangle.p[k][0], triangle.p[k][1], triangle.p[k][2]);
+    return Vector3(corners[k][0], corners[k][1], corners[k][2]);
   };
   const Vector3 o(ray.origin), d(ray.direction), e1 = corner(1) - corner(0),
                                                  e2 = corner(2) - corner(0);
@@ -87,7 +88,7 @@ TEST(FlatIntersector, FindsTheNearestOfManyTriangles) {
     std::size_t expected = scene.triangles.size();
     bool clear = true;
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-      const Oracle oracle = oracleTriangle(scene.triangles[i], ray);
+      const Oracle oracle = oracleTriangle(scene.corners(i), ray);
       clear = clear && (oracle.clarity > 1e-4L || oracle.t < -0.1L);
       if (oracle.hit && (expected == scene.triangles.size() || oracle.t < nearest)) {
         nearest = oracle.t;
@@ -138,8 +139,8 @@ TEST(FlatIntersector, NoRayLeaksThroughEdgesAndVertices) {
   const FlatIntersector intersector = scene.build();
   Random random;
   for (int k = 0; k < 400000; ++k) {
-    const FlatTriangle& t = scene.triangles[static_cast<std::size_t>(k) % scene.triangles.size()];
-    const vec3 a(t.p[0][0], t.p[0][1], t.p[0][2]), b(t.p[1][0], t.p[1][1], t.p[1][2]);
+    const auto p = scene.corners(static_cast<std::size_t>(k) % scene.triangles.size());
+    const vec3 a(p[0][0], p[0][1], p[0][2]), b(p[1][0], p[1][1], p[1][2]);
     const vec3 origin = vec3(0.3f, -0.2f, 5.0f) + random.inCube(0.3f);
     const vec3 target = k % 7 == 0 ? a : a + random.uniform(0.0f, 1.0f) * (b - a);
     PrimitiveHit hit;

@@ -43,13 +43,7 @@ class SmallScene {
     }
   }
 
-  FlatSceneView view() const {
-    return {scene_.camera,        1,
-            scene_.materials,     scene_.shapes,
-            scene_.triangles,     scene_.spheres,
-            scene_.lights,        scene_.faces,
-            scene_.lightVertices, scene_.lightTriangles};
-  }
+  FlatSceneView view() const { return viewOf(scene_); }
   const std::array<vec3, 4>& floor() const { return floor_; }
   const vec3& lightPoint() const { return centre_; }
   const vec3& lightNormal() const { return normal_; }
@@ -57,11 +51,9 @@ class SmallScene {
  private:
   vec3 addTriangle(const std::array<vec3, 3>& p, std::uint32_t shape) {
     const vec3 n = normalize(cross(p[1] - p[0], p[2] - p[0]));
-    FlatTriangle triangle;
-    for (std::size_t k = 0; k < 3; ++k) triangle.p[k] = {p[k].x, p[k].y, p[k].z};
-    triangle.normal = {n.x, n.y, n.z};
-    triangle.shape = shape;
-    scene_.triangles.push_back(triangle);
+    std::array<Float3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = {p[k].x, p[k].y, p[k].z};
+    scene_.addTriangle(corners, {n.x, n.y, n.z}, shape);
     return n;
   }
 

@@ -38,10 +38,12 @@ TEST(Faces, ARectangleAndAParallelogramOfAnyNameAreOneFaceWithFourVertices) {
 TEST(Faces, ANonPlanarQuadIsTwoTrianglesWithNormalsOfTheirOwn) {
   const FlatScene flat = flatOf(shape("quad", "[0,0,0],[1,0,0],[1,1,1],[0,1,0]"));
   ASSERT_EQ(flat.triangles.size(), 2u);
-  EXPECT_EQ(flat.triangles[0].p[1], (Float3{1, 0, 0}));
-  EXPECT_EQ(flat.triangles[1].p[0], (Float3{0, 0, 0}));
-  EXPECT_EQ(flat.triangles[1].p[1], (Float3{1, 1, 1}));
-  EXPECT_EQ(flat.triangles[1].p[2], (Float3{0, 1, 0}));
+  const auto first = viewOf(flat).corners(flat.triangles[0]);
+  const auto second = viewOf(flat).corners(flat.triangles[1]);
+  EXPECT_EQ(first[1], (Float3{1, 0, 0}));
+  EXPECT_EQ(second[0], (Float3{0, 0, 0}));
+  EXPECT_EQ(second[1], (Float3{1, 1, 1}));
+  EXPECT_EQ(second[2], (Float3{0, 1, 0}));
   const float r = std::sqrt(0.5f);
   EXPECT_FLOAT_EQ(flat.triangles[0].normal[1], -r);
   EXPECT_FLOAT_EQ(flat.triangles[1].normal[0], -r);

@@ -24,6 +24,7 @@ void expectSame(const FlatScene& scene, const FlatSceneView& view) {
   EXPECT_EQ(scene.maxBounces, view.maxBounces);
   EXPECT_TRUE(sameBytes(scene.materials, view.materials));
   EXPECT_TRUE(sameBytes(scene.shapes, view.shapes));
+  EXPECT_TRUE(sameBytes(scene.vertices, view.vertices));
   EXPECT_TRUE(sameBytes(scene.triangles, view.triangles));
   EXPECT_TRUE(sameBytes(scene.spheres, view.spheres));
   EXPECT_TRUE(sameBytes(scene.lights, view.lights));
@@ -103,7 +104,10 @@ TEST(FlatScene, IsNeverReadOutsideItsBlockWhenAnyByteIsWrong) {
     const auto* end = reinterpret_cast<const std::byte*>(view->lightTriangles.data() +
                                                          view->lightTriangles.size());
     ASSERT_LE(end, block.data() + block.size());
-    for (const FlatTriangle& t : view->triangles) ASSERT_LT(t.shape, view->shapes.size());
+    for (const FlatTriangle& t : view->triangles) {
+      ASSERT_LT(t.shape, view->shapes.size());
+      for (const std::uint32_t v : t.vertex) ASSERT_LT(v, view->vertices.size());
+    }
     for (const FlatShape& s : view->shapes) ASSERT_LT(s.material, view->materials.size());
   }
 }
@@ -118,6 +122,7 @@ TEST(FlatScene, IsRefusedWhenAnIndexPointsNowhere) {
   EXPECT_FALSE(refused([](FlatScene&) {}));
   EXPECT_TRUE(refused([](FlatScene& s) { s.shapes[0].material = 4; }));
   EXPECT_TRUE(refused([](FlatScene& s) { s.triangles[5].shape = 16; }));
+  EXPECT_TRUE(refused([](FlatScene& s) { s.triangles[5].vertex[1] = 96; }));
   EXPECT_TRUE(refused([](FlatScene& s) { s.spheres.push_back({{}, 1.0f, 99, 0}); }));
   EXPECT_TRUE(refused([](FlatScene& s) { s.lights[0].sphere = 0; }));
   EXPECT_TRUE(refused([](FlatScene& s) { s.lights[0].faceCount = 2; }));

@@ -48,11 +48,9 @@ double halfExtent(const FlatScene& flat) {
   double largest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     float low = flat.camera.eye[k], high = low;
-    for (const FlatTriangle& t : flat.triangles) {
-      for (const Float3& p : t.p) {
-        low = std::min(low, p[k]);
-        high = std::max(high, p[k]);
-      }
+    for (const Float3& p : flat.vertices) {
+      low = std::min(low, p[k]);
+      high = std::max(high, p[k]);
     }
     largest = std::max(largest, 0.5 * (static_cast<double>(high) - static_cast<double>(low)));
   }
@@ -66,13 +64,13 @@ double largestError(const Result& result, double scale, const glm::dvec3& shift)
   std::size_t triangle = 0;
   for (const ShapeDescription& shape : original.shapes) {
     for (const auto& corners : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
-      const FlatTriangle& t = result.flat.triangles.at(triangle++);
+      const auto found = viewOf(result.flat).corners(result.flat.triangles.at(triangle++));
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec3& p = shape.vertices[static_cast<std::size_t>(corners[k])];
         const glm::dvec3 expected = normalisedPoint(result.normalisation, (p + shift) * scale);
         for (std::size_t i = 0; i < 3; ++i) {
           error = std::max(
-              error, std::abs(static_cast<double>(t.p[k][i]) - expected[static_cast<int>(i)]));
+              error, std::abs(static_cast<double>(found[k][i]) - expected[static_cast<int>(i)]));
         }
       }
     }
@@ -117,12 +115,13 @@ TEST(Normalise, ScalesByPowersOfTwoSoThatFloatsKeepTheirDigits) {
     const float ratio = result.flat.camera.eye[2] / original.camera.eye[2];
     ASSERT_EQ(result.flat.triangles.size(), original.triangles.size());
     for (std::size_t i = 0; i < original.triangles.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          EXPECT_EQ(result.flat.triangles[i].p[k][c], ratio * original.triangles[i].p[k][c]);
-        }
-      }
       EXPECT_EQ(result.flat.triangles[i].normal, original.triangles[i].normal);
+    }
+    ASSERT_EQ(result.flat.vertices.size(), original.vertices.size());
+    for (std::size_t i = 0; i < original.vertices.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(result.flat.vertices[i][c], ratio * original.vertices[i][c]);
+      }
     }
   }
 }

@@ -78,7 +78,8 @@ TEST(ShippedScenes, TheFrontsOfTheCornellBoxFaceItsInside) {
     if (t.shape >= 6) continue;  // the blocks
     const std::array<float, 3> inside{278.0f, 273.0f, 280.0f};
     float side = 0.0f;
-    for (std::size_t k = 0; k < 3; ++k) side += t.normal[k] * (inside[k] - t.p[0][k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      side += t.normal[k] * (inside[k] - scene.flat.vertices[t.vertex[0]][k]);
     EXPECT_GT(side, 0.0f) << "shape " << t.shape;
   }
 }

@@ -30,8 +30,9 @@ Vec ReferenceTracer::Surfel::emitted(const Vec& wo) const {
 bool ReferenceTracer::intersect(const Vec& origin, const Vec& direction, Surfel& hit) const {
   hit.t = 1e300;
   for (const FlatTriangle& triangle : scene_.triangles) {
-    const Vec n = toVec(triangle.normal), a = toVec(triangle.p[0]), b = toVec(triangle.p[1]),
-              c = toVec(triangle.p[2]);
+    const auto corners = viewOf(scene_).corners(triangle);
+    const Vec n = toVec(triangle.normal), a = toVec(corners[0]), b = toVec(corners[1]),
+              c = toVec(corners[2]);
     const double t = glm::dot(n, a - origin) / glm::dot(n, direction);
     if (!(t > 0.0 && t < hit.t)) continue;
     const Vec p = origin + t * direction;
@@ -100,8 +101,8 @@ Vec ReferenceTracer::direct(const Surfel& x, const Vec& wo, Uniforms& random) co
   for (const FlatTriangle& triangle : scene_.triangles) {
     const Float3& emission = scene_.shapes[triangle.shape].emission;
     if (emission == Float3{}) continue;
-    const Vec a = toVec(triangle.p[0]), e1 = toVec(triangle.p[1]) - a,
-              e2 = toVec(triangle.p[2]) - a;
+    const auto corners = viewOf(scene_).corners(triangle);
+    const Vec a = toVec(corners[0]), e1 = toVec(corners[1]) - a, e2 = toVec(corners[2]) - a;
     double s = random.nextDouble(), t = random.nextDouble();
     if (s + t > 1.0) s = 1.0 - s, t = 1.0 - t;
     add(a + s * e1 + t * e2, toVec(triangle.normal), 0.5 * glm::length(glm::cross(e1, e2)),

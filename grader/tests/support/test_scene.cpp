@@ -10,11 +10,6 @@ namespace {
 Float3 toFloat3(const vec3& v) { return {v.x, v.y, v.z}; }
 Float3 toFloat3(const glm::dvec3& v) { return toFloat3(vec3(v)); }
 
-FlatSceneView viewOf(const FlatScene& s) {
-  return {s.camera,  s.maxBounces, s.materials, s.shapes,        s.triangles,
-          s.spheres, s.lights,     s.faces,     s.lightVertices, s.lightTriangles};
-}
-
 }  // namespace
 
 std::uint32_t SceneBuilder::addShape(const Surface& surface) {
@@ -38,8 +33,8 @@ SceneBuilder& SceneBuilder::polygon(const Surface& surface, const std::vector<Po
                 normal,
                 1.0f};
   for (std::uint32_t i = 2; i < count; ++i) {
-    flat_.triangles.push_back(
-        {{toFloat3(vertices[0]), toFloat3(vertices[i - 1]), toFloat3(vertices[i])}, normal, shape});
+    flat_.addTriangle({toFloat3(vertices[0]), toFloat3(vertices[i - 1]), toFloat3(vertices[i])},
+                      normal, shape);
   }
   if (surface.emission == Colour(0.0f)) return *this;
   for (const Point& v : vertices) flat_.lightVertices.push_back(toFloat3(v));
