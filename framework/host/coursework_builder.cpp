@@ -206,6 +206,7 @@ ProcessResult runLinker(const std::vector<std::string>& framework,
   request.arguments.insert(request.arguments.end(), framework.begin(), framework.end());
   for (const fs::path& object : objects)
     if (!object.empty()) request.arguments.push_back(object.string());
+  request.arguments.emplace_back(build::kEmbree);
   return runProcess(request);
 }
 

@@ -8,6 +8,7 @@
 // that no ray slips through between two triangles.
 #pragma once
 
+#include "intersect/primitive_hit.h"
 #include "scene/flat_scene.h"
 
 #include <pathmark/types.h>
@@ -17,18 +18,12 @@
 
 namespace pathmark {
 
-struct PrimitiveHit {
-  float t = 0.0f;
-  std::uint32_t index = 0;  // of the triangle or sphere in the scene
-  bool isSphere = false;
-  Vector barycentric{0.0f};  // of a triangle's vertices, summing to 1
-};
-
 class FlatIntersector {
  public:
   explicit FlatIntersector(const FlatSceneView& scene);
 
-  // Returns whether the ray meets anything at t > 0, and then sets `hit` to the nearest.
+  // Returns whether the ray meets anything at t > 0, and then sets `hit` to the nearest; if not,
+  // hit.t becomes infinite.
   bool closest(const Ray& ray, PrimitiveHit& hit) const;
 
   // Returns whether anything lies on origin + t * segment, 0 < t < 1.

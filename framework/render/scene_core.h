@@ -4,7 +4,7 @@
 // triangles of the warm-up. The block of memory behind the view must outlive it.
 #pragma once
 
-#include "intersect/flat_intersector.h"
+#include "intersect/intersector.h"
 #include "scene/flat_scene.h"
 
 #include <pathmark/brdf.h>
@@ -42,7 +42,7 @@ class SceneCore {
   FlatSceneView view_;
   SimpleCamera camera_;
   int maxBounces_;
-  FlatIntersector intersector_;
+  Intersector intersector_;
   std::vector<std::unique_ptr<BRDF>> materials_;
   std::vector<Point> lightVertices_;
   std::vector<Light::Face> faces_;

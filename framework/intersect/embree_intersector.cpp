@@ -1,0 +1,129 @@
+#include "intersect/embree_intersector.h"
+
+#if PATHMARK_EMBREE == 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace pathmark {
+
+namespace {
+
+// Rays pass through the backs of shapes that say so.
+void passThroughBacks(const RTCFilterFunctionNArguments* arguments) {
+  const auto& scene = *static_cast<const FlatSceneView*>(arguments->geometryUserPtr);
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned index = RTCHitN_primID(arguments->hit, arguments->N, i);
+    const FlatTriangle& triangle = scene.triangles[index];
+    const Vector direction(RTCRayN_dir_x(arguments->ray, arguments->N, i),
+                           RTCRayN_dir_y(arguments->ray, arguments->N, i),
+                           RTCRayN_dir_z(arguments->ray, arguments->N, i));
+    const Vector n(triangle.normal[0], triangle.normal[1], triangle.normal[2]);
+    if (scene.shapes[triangle.shape].frontOnly != 0 && dot(direction, n) >= 0.0f)
+      arguments->valid[i] = 0;
+  }
+}
+
+bool hasFrontOnly(const FlatSceneView& scene) {
+  return std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                     [](const FlatShape& s) { return s.frontOnly != 0; });
+}
+
+void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  // A copy, because Embree reads a little beyond the last vertex.
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           sizeof(Float3), view.vertices.size());
+  if (vertices != nullptr)
+    std::copy(view.vertices.begin(), view.vertices.end(), static_cast<Float3*>(vertices));
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             view.triangles.data(), offsetof(FlatTriangle, vertex),
+                             sizeof(FlatTriangle), view.triangles.size());
+  if (hasFrontOnly(view)) {
+    rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
+    rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
+    rtcSetGeometryOccludedFilterFunction(geometry, passThroughBacks);
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+// Embree does not say what it does with a ray that is no ray.
+bool isFinite(const Point& origin, const Vector& direction) {
+  return std::isfinite(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z);
+}
+
+RTCRay rayFrom(const Point& origin, const Vector& direction, float tMax) {
+  RTCRay ray{};
+  ray.org_x = origin.x;
+  ray.org_y = origin.y;
+  ray.org_z = origin.z;
+  ray.dir_x = direction.x;
+  ray.dir_y = direction.y;
+  ray.dir_z = direction.z;
+  ray.tfar = tMax;
+  ray.mask = ~0u;
+  return ray;
+}
+
+}  // namespace
+
+void EmbreeIntersector::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
+void EmbreeIntersector::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+
+EmbreeIntersector::EmbreeIntersector(const FlatSceneView& scene)
+    : view_(std::make_unique<FlatSceneView>(scene)), device_(rtcNewDevice(nullptr)) {
+  if (!device_) throw std::runtime_error("Embree cannot be started.");
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  addTriangles(device_.get(), scene_.get(), *view_);
+  rtcCommitScene(scene_.get());
+  if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE) {
+    throw std::runtime_error("Embree cannot build the scene: error " +
+                             std::to_string(static_cast<int>(error)) + ".");
+  }
+}
+
+EmbreeIntersector::~EmbreeIntersector() = default;
+
+bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) const {
+  if (!isFinite(ray.origin, ray.direction)) return false;
+  RTCRayHit query{rayFrom(ray.origin, ray.direction, tMax), {}};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if PATHMARK_EMBREE == 4
+  rtcIntersect1(scene_.get(), &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene_.get(), &context, &query);
+#endif
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID || !(query.ray.tfar > 0.0f)) return false;
+  hit.t = query.ray.tfar;
+  hit.index = query.hit.primID;
+  hit.isSphere = false;
+  hit.barycentric = {(1.0f - query.hit.u) - query.hit.v, query.hit.u, query.hit.v};
+  return true;
+}
+
+bool EmbreeIntersector::occluded(const Point& origin, const Vector& segment) const {
+  if (!isFinite(origin, segment)) return false;
+  RTCRay ray = rayFrom(origin, segment, 1.0f);
+#if PATHMARK_EMBREE == 4
+  rtcOccluded1(scene_.get(), &ray);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene_.get(), &context, &ray);
+#endif
+  return ray.tfar < 0.0f;
+}
+
+}  // namespace pathmark

@@ -1,0 +1,45 @@
+// EmbreeIntersector: rays against many triangles, by Embree's bounding volume hierarchy.
+//
+//   closest    the nearest triangle along a ray
+//   occluded   whether any triangle lies on a segment
+//
+// In Embree's robust mode, so that no ray slips through the shared edge of two triangles. Either of
+// Embree 3 and 4 serves.
+#pragma once
+
+#include "intersect/primitive_hit.h"
+#include "scene/flat_scene.h"
+
+#include <pathmark/types.h>
+
+#include <memory>
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace pathmark {
+
+class EmbreeIntersector {
+ public:
+  // Spheres are left out. The memory behind the view must outlive the intersector.
+  explicit EmbreeIntersector(const FlatSceneView& scene);
+  ~EmbreeIntersector();
+
+  // Returns whether the ray meets a triangle at 0 < t < tMax, and only then sets `hit`.
+  bool closest(const Ray& ray, float tMax, PrimitiveHit& hit) const;
+
+  // Returns whether a triangle lies on origin + t * segment, 0 < t < 1.
+  bool occluded(const Point& origin, const Vector& segment) const;
+
+ private:
+  struct Release {
+    void operator()(RTCDeviceTy* device) const;
+    void operator()(RTCSceneTy* scene) const;
+  };
+
+  std::unique_ptr<const FlatSceneView> view_;  // at one address, which Embree is told
+  std::unique_ptr<RTCDeviceTy, Release> device_;
+  std::unique_ptr<RTCSceneTy, Release> scene_;
+};
+
+}  // namespace pathmark
