@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 namespace pathmark {
@@ -56,6 +57,28 @@ Face makePolygon(const ShapeDescription& shape, const Place& place) {
   return makeFace(shape.vertices, std::move(*triangles));
 }
 
+// Seen from outside, these run counter-clockwise.
+constexpr std::array<std::array<std::size_t, 4>, 6> kBoxFaces{
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+
+std::vector<Face> makeBox(const ShapeDescription& box) {
+  std::vector<Face> faces;
+  for (const auto& f : kBoxFaces) {
+    const auto& p = box.vertices;
+    faces.push_back(makeFace({p[f[0]], p[f[1]], p[f[2]], p[f[3]]}, {{0, 1, 2}, {0, 2, 3}}));
+  }
+  return faces;
+}
+
+std::vector<Face> makeMesh(const ShapeDescription& mesh) {
+  std::vector<Face> faces;
+  for (const TriangleIndices& t : mesh.triangles) {
+    const auto& p = mesh.vertices;
+    faces.push_back(makeFace({p[t[0]], p[t[1]], p[t[2]]}, {{0, 1, 2}}));
+  }
+  return faces;
+}
+
 }  // namespace
 
 std::vector<Face> makeFaces(const ShapeDescription& shape, const Place& place) {
@@ -80,6 +103,10 @@ std::vector<Face> makeFaces(const ShapeDescription& shape, const Place& place) {
     case ShapeKind::kPolygon:
       faces.push_back(makePolygon(shape, vertices));
       break;
+    case ShapeKind::kBox:
+      return makeBox(shape);
+    case ShapeKind::kMesh:
+      return makeMesh(shape);
     case ShapeKind::kSphere:
       break;
   }

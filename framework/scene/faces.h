@@ -23,7 +23,9 @@ struct Face {
 };
 
 // Of any shape but a sphere, in normalised coordinates. A quad that is no parallelogram is two
-// triangles, (0,1,2) and (0,2,3), and need not be planar; every other shape is one face. Throws
+// triangles, (0,1,2) and (0,2,3), and need not be planar; a box has six faces, its vertex k having
+// the high x, y and z where bit 0, 1 and 2 of k is set (or, inside out, the low x and the high x
+// exchanged); of a mesh every triangle is a face; every other shape is one face. Throws
 // SceneError if a rectangle is no parallelogram, a polygon is not planar or not simple, or either
 // has no area.
 std::vector<Face> makeFaces(const ShapeDescription& shape, const Place& place);

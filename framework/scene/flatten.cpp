@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace pathmark {
@@ -18,9 +19,9 @@ constexpr float kSmallestRadius = 1e-12f;
 
 std::uint32_t count(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
-// What a worker sees of a triangle: its corners in float.
-double roundedArea(const Face& face, const TriangleIndices& t) {
-  const auto corner = [&](std::size_t k) { return toDouble3(toFloat3(face.vertices[t[k]])); };
+// Of a triangle as a worker sees it: with its corners in float. 0 if it is a line or a point.
+double roundedArea(std::span<const glm::dvec3> vertices, const TriangleIndices& t) {
+  const auto corner = [&](std::size_t k) { return toDouble3(toFloat3(vertices[t[k]])); };
   const glm::dvec3 a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a;
   const double doubled = glm::length(glm::cross(a, b));
   const double longest = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)});
@@ -56,9 +57,29 @@ class Flattener {
     flat_.shapes.push_back({count(shape.material), shape.frontOnly ? 1u : 0u, emission});
     if (shape.kind == ShapeKind::kSphere) {
       addSphere(shape, place, emits);
+    } else if (shape.kind == ShapeKind::kMesh && !emits) {
+      addMesh(shape, place);
     } else {
       addFaces(makeFaces(shape, place), shape, place, emits);
     }
+  }
+
+  // Triangles that share vertices, without a face for each.
+  void addMesh(const ShapeDescription& mesh, const Place& place) {
+    const std::uint32_t first = count(flat_.vertices.size());
+    for (const glm::dvec3& v : mesh.vertices) flat_.vertices.push_back(toFloat3(v));
+    std::size_t kept = 0;
+    for (const TriangleIndices& t : mesh.triangles) {
+      if (roundedArea(mesh.vertices, t) == 0.0) continue;
+      const glm::dvec3& p = mesh.vertices[t[0]];
+      const glm::dvec3 normal = glm::cross(mesh.vertices[t[1]] - p, mesh.vertices[t[2]] - p);
+      flat_.triangles.push_back({{first + t[0], first + t[1], first + t[2]},
+                                 currentShape(),
+                                 toFloat3(glm::normalize(normal))});
+      ++kept;
+    }
+    if (kept < mesh.triangles.size()) drop(mesh.triangles.size() - kept, mesh, place);
+    if (kept == 0) refuseNothing(place);
   }
 
   std::uint32_t currentShape() const { return count(flat_.shapes.size() - 1); }
@@ -83,19 +104,31 @@ class Flattener {
   void addFaces(std::vector<Face> faces, const ShapeDescription& shape, const Place& place,
                 bool emits) {
     for (Face& face : faces) {
-      const std::size_t dropped = std::erase_if(
-          face.triangles, [&](const TriangleIndices& t) { return roundedArea(face, t) == 0.0; });
+      const std::size_t dropped = std::erase_if(face.triangles, [&](const TriangleIndices& t) {
+        return roundedArea(face.vertices, t) == 0.0;
+      });
       if (dropped > 0) drop(dropped, shape, place);
       for (const TriangleIndices& t : face.triangles) addTriangle(face, t);
     }
     std::erase_if(faces, [](const Face& face) { return face.triangles.empty(); });
-    const bool needsArea = shape.kind == ShapeKind::kRectangle || shape.kind == ShapeKind::kPolygon;
-    if (faces.empty() && needsArea) {
-      Place(place, "vertices")
-          .refuse("a shape that is almost nothing beside the rest of the scene",
-                  "it must be large enough for its corners to differ");
+    switch (shape.kind) {
+      case ShapeKind::kRectangle:
+      case ShapeKind::kPolygon:
+        if (faces.empty()) refuseNothing(Place(place, "vertices"));
+        break;
+      case ShapeKind::kBox:
+      case ShapeKind::kMesh:
+        if (faces.empty()) refuseNothing(place);
+        break;
+      default:
+        break;  // triangles and quads come in numbers, and are counted instead
     }
     if (emits && !faces.empty()) addLight(faces);
+  }
+
+  [[noreturn]] static void refuseNothing(const Place& place) {
+    place.refuse("a shape that is almost nothing beside the rest of the scene",
+                 "it must be large enough for its corners to differ");
   }
 
   void addTriangle(const Face& face, const TriangleIndices& t) {
@@ -108,7 +141,7 @@ class Flattener {
     std::vector<double> areas;
     double total = 0.0;
     for (const Face& face : faces) {
-      for (const TriangleIndices& t : face.triangles) total += roundedArea(face, t);
+      for (const TriangleIndices& t : face.triangles) total += roundedArea(face.vertices, t);
       areas.push_back(total);
     }
     FlatLight light;

@@ -5,7 +5,9 @@
 #include "scene/normalise.h"
 #include "scene/read_scene.h"
 #include "scene/read_text.h"
+#include "scene/shape_geometry.h"
 #include "scene/validate.h"
+#include "scene/view_check.h"
 
 #include <fmt/format.h>
 
@@ -24,9 +26,11 @@ std::string describe(const Normalisation& n) {
 }
 
 LoadedScene load(const std::filesystem::path& file, const SceneOverrides& overrides) {
-  SceneDescription scene = readScene(readText(file), file);
+  const SceneSource source{file, readText(file, "a scene is a JSON file")};
+  SceneDescription scene = readScene(source);
   applyOverrides(scene, overrides, file);
-  validate(scene, file);
+  validate(scene, source);
+  makeGeometry(scene, source);
 
   LoadedScene loaded;
   loaded.name = file.stem().string();
@@ -35,7 +39,7 @@ LoadedScene load(const std::filesystem::path& file, const SceneOverrides& overri
   loaded.raysPerPixel = static_cast<int>(scene.raysPerPixel);
 
   // The film only has directions, so it needs no normalised coordinates.
-  const Place top(file);
+  const Place top(source);
   FlatCamera camera = makeFilm(scene.camera, static_cast<int>(scene.size[0]),
                                static_cast<int>(scene.size[1]), Place(top, "camera"));
   if (!isResolved(camera)) {
@@ -51,6 +55,8 @@ LoadedScene load(const std::filesystem::path& file, const SceneOverrides& overri
   loaded.flat = flatten(scene, top, loaded.notes);
   camera.eye = loaded.flat.camera.eye;
   loaded.flat.camera = camera;
+  requireView(loaded.flat, Place(top, "camera"));
+  noteDarkness(loaded.flat, loaded.notes);
   return loaded;
 }
 

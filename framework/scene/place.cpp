@@ -1,5 +1,6 @@
 #include "scene/place.h"
 
+#include "scene/json_text.h"
 #include "scene/load_scene.h"
 
 #include <fmt/format.h>
@@ -24,8 +25,10 @@ std::string Place::pointer() const {
 
 void Place::refuse(std::string_view sentence) const {
   const std::string where = pointer();
-  throw SceneError(
-      fmt::format("{}{}{}: {}", file_->string(), where.empty() ? "" : ", ", where, sentence));
+  const std::size_t line = lineOf(source_->text, where);
+  throw SceneError(fmt::format("{}{}{}{}: {}", source_->file.string(),
+                               line == 0 ? "" : fmt::format(":{}", line), where.empty() ? "" : ", ",
+                               where, sentence));
 }
 
 void Place::refuse(std::string_view found, std::string_view rule) const {

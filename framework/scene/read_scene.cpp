@@ -1,6 +1,7 @@
-// The only source that knows the JSON library.
 #include "scene/read_scene.h"
 
+#include "scene/json_text.h"
+#include "scene/place.h"
 #include "scene/spelling.h"
 #include "scene/syntax_sentence.h"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,87 +20,6 @@ namespace pathmark {
 namespace {
 
 using nlohmann::json;
-
-// A scene nests five deep; the limit keeps hostile files from costing memory.
-constexpr std::size_t kDeepestNesting = 16;
-
-// A first walk over the text that builds nothing: syntax, nesting, repeated keys.
-class SyntaxCheck final : public nlohmann::json_sax<json> {
- public:
-  SyntaxCheck(std::string_view text, const Place& top) : text_(text), top_(top) {}
-
-  bool null() override { return passValue(); }
-  bool boolean(bool) override { return passValue(); }
-  bool number_integer(number_integer_t) override { return passValue(); }
-  bool number_unsigned(number_unsigned_t) override { return passValue(); }
-  bool number_float(number_float_t, const string_t&) override { return passValue(); }
-  bool string(string_t&) override { return passValue(); }
-  bool binary(binary_t&) override { return passValue(); }
-  bool start_object(std::size_t) override { return open(false); }
-  bool start_array(std::size_t) override { return open(true); }
-  bool end_object() override { return close(); }
-  bool end_array() override { return close(); }
-
-  bool key(string_t& name) override {
-    levels_.back().key = name;
-    if (!levels_.back().keys.insert(name).second) {
-      refuseHere(top_, 0, fmt::format("the key {} stands twice in one object.", inQuotes(name)));
-    }
-    return true;
-  }
-
-  bool parse_error(std::size_t position, const std::string&,
-                   const nlohmann::detail::exception& error) override {
-    top_.refuse(syntaxSentence(text_, position, error.what()));
-  }
-
- private:
-  // An array or object that is open, and where in it the walk is.
-  struct Level {
-    bool isArray;
-    std::size_t index = 0;
-    std::string key{};
-    std::set<std::string> keys{};
-  };
-
-  bool passValue() {
-    if (!levels_.empty()) ++levels_.back().index;
-    return true;
-  }
-
-  bool open(bool isArray) {
-    if (levels_.size() == kDeepestNesting) {
-      refuseHere(
-          top_, 0,
-          fmt::format("found brackets nested more than {} deep, but a scene needs only five.",
-                      kDeepestNesting));
-    }
-    levels_.push_back({isArray});
-    return true;
-  }
-
-  bool close() {
-    levels_.pop_back();
-    return passValue();
-  }
-
-  [[noreturn]] void refuseHere(const Place& place, std::size_t level,
-                               const std::string& sentence) const {
-    if (level == levels_.size()) place.refuse(sentence);
-    const Level& l = levels_[level];
-    refuseHere(l.isArray ? Place(place, l.index) : Place(place, l.key), level + 1, sentence);
-  }
-
-  std::string_view text_;
-  const Place& top_;
-  std::vector<Level> levels_;
-};
-
-json parse(std::string_view text, const Place& top) {
-  SyntaxCheck check(text, top);
-  json::sax_parse(text.begin(), text.end(), &check, json::input_format_t::json, true, true);
-  return json::parse(text.begin(), text.end(), nullptr, true, true);
-}
 
 std::string describe(const json& value) {
   switch (value.type()) {
@@ -277,31 +196,82 @@ std::vector<glm::dvec3> readVertices(const json& value, const Place& place) {
   return vertices;
 }
 
+TransformDescription readTransform(const json& value, const Place& place) {
+  const Object object(value, place, "a transform");
+  object.allowOnly({"scale", "rotate", "translate"});
+  TransformDescription transform;
+  object.optional("scale", [&](const json& v, const Place& p) {
+    transform.scale = v.is_number() ? glm::dvec3(number(v, p)) : vector(v, p);
+  });
+  object.optional("rotate", [&](const json& v, const Place& p) {
+    const Object rotate(v, p, "a rotation");
+    rotate.allowOnly({"axis", "angle"});
+    rotate.required("axis", transform.axis);
+    rotate.required("angle", transform.angle);
+  });
+  object.optional("translate", transform.translate);
+  return transform;
+}
+
+constexpr std::array<std::pair<std::string_view, ShapeKind>, 7> kShapeKinds{
+    {{"triangle", ShapeKind::kTriangle},
+     {"quad", ShapeKind::kQuad},
+     {"rectangle", ShapeKind::kRectangle},
+     {"polygon", ShapeKind::kPolygon},
+     {"sphere", ShapeKind::kSphere},
+     {"box", ShapeKind::kBox},
+     {"mesh", ShapeKind::kMesh}}};
+
+// What belongs to shapes of one kind only.
+void readOwnKeys(const json& value, const Place& place, ShapeDescription& shape) {
+  const auto transform = [&](const json& v, const Place& p) {
+    shape.transform = readTransform(v, p);
+  };
+  switch (shape.kind) {
+    case ShapeKind::kSphere: {
+      const Object sphere(value, place, "a sphere");
+      sphere.allowOnly(
+          {"type", "name", "material", "emission", "frontOnly", "centre", "radius", "inward"});
+      sphere.required("centre", shape.centre);
+      sphere.required("radius", shape.radius);
+      sphere.optional("inward", shape.inward);
+      break;
+    }
+    case ShapeKind::kBox: {
+      const Object box(value, place, "a box");
+      box.allowOnly({"type", "name", "material", "emission", "frontOnly", "low", "high",
+                     "transform", "inward"});
+      box.required("low", shape.low);
+      box.required("high", shape.high);
+      box.optional("transform", transform);
+      box.optional("inward", shape.inward);
+      break;
+    }
+    case ShapeKind::kMesh: {
+      const Object mesh(value, place, "a mesh");
+      mesh.allowOnly(
+          {"type", "name", "material", "emission", "frontOnly", "file", "madeBy", "transform"});
+      mesh.required("file", [&](const json& v, const Place& p) { shape.file = word(v, p); });
+      mesh.optional("madeBy", shape.madeBy);
+      mesh.optional("transform", transform);
+      break;
+    }
+    default: {
+      const std::string_view name = kShapeKinds[static_cast<std::size_t>(shape.kind)].first;
+      const Object flat(value, place, fmt::format("a {}", name));
+      flat.allowOnly({"type", "name", "material", "emission", "frontOnly", "vertices"});
+      flat.required("vertices",
+                    [&](const json& v, const Place& p) { shape.vertices = readVertices(v, p); });
+    }
+  }
+}
+
 ShapeDescription readShape(const json& value, const Place& place,
                            const std::vector<MaterialDescription>& materials) {
-  static constexpr std::array<std::pair<std::string_view, ShapeKind>, 5> kKinds{
-      {{"triangle", ShapeKind::kTriangle},
-       {"quad", ShapeKind::kQuad},
-       {"rectangle", ShapeKind::kRectangle},
-       {"polygon", ShapeKind::kPolygon},
-       {"sphere", ShapeKind::kSphere}}};
   ShapeDescription shape;
   const Object object(value, place, "a shape");
-  object.requiredChoice("type", kKinds, shape.kind);
-  if (shape.kind == ShapeKind::kSphere) {
-    const Object sphere(value, place, "a sphere");
-    sphere.allowOnly(
-        {"type", "name", "material", "emission", "frontOnly", "centre", "radius", "inward"});
-    sphere.required("centre", shape.centre);
-    sphere.required("radius", shape.radius);
-    sphere.optional("inward", shape.inward);
-  } else {
-    const Object flat(value, place,
-                      fmt::format("a {}", kKinds[static_cast<std::size_t>(shape.kind)].first));
-    flat.allowOnly({"type", "name", "material", "emission", "frontOnly", "vertices"});
-    flat.required("vertices",
-                  [&](const json& v, const Place& p) { shape.vertices = readVertices(v, p); });
-  }
+  object.requiredChoice("type", kShapeKinds, shape.kind);
+  readOwnKeys(value, place, shape);
   object.required("material", [&](const json& v, const Place& p) {
     shape.material = findMaterial(word(v, p), p, materials);
   });
@@ -344,9 +314,11 @@ SceneDescription readParts(const json& value, const Place& top) {
 
 }  // namespace
 
-SceneDescription readScene(std::string_view text, const std::filesystem::path& file) {
-  const Place top(file);
-  return readParts(parse(text, top), top);
+SceneDescription readScene(const SceneSource& source) {
+  checkSyntax(source);
+  const Place top(source);
+  const json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
+  return readParts(value, top);
 }
 
 }  // namespace pathmark

@@ -5,14 +5,11 @@
 #pragma once
 
 #include "scene/description.h"
-#include "scene/place.h"
-
-#include <filesystem>
-#include <string_view>
+#include "scene/source.h"
 
 namespace pathmark {
 
-// `file` is only used to say where an error is. Throws SceneError.
-SceneDescription readScene(std::string_view text, const std::filesystem::path& file);
+// Throws SceneError.
+SceneDescription readScene(const SceneSource& source);
 
 }  // namespace pathmark

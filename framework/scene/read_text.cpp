@@ -16,7 +16,7 @@ constexpr std::uintmax_t kLargestFile = 256 * kMegabyte;
 
 }  // namespace
 
-std::string readText(const std::filesystem::path& file) {
+std::string readText(const std::filesystem::path& file, std::string_view rule) {
   const auto refuse = [&file](const std::string& sentence) {
     throw SceneError(fmt::format("{}: {}", file.string(), sentence));
   };
@@ -25,18 +25,18 @@ std::string readText(const std::filesystem::path& file) {
   if (status.type() == std::filesystem::file_type::not_found) refuse("there is no such file.");
   if (error) refuse(fmt::format("the file cannot be opened ({}).", error.message()));
   if (std::filesystem::is_directory(status)) {
-    refuse("this is a folder, but a scene is a JSON file.");
+    refuse(fmt::format("this is a folder, but {}.", rule));
   }
   // A pipe or a device may never end.
   if (!std::filesystem::is_regular_file(status)) {
-    refuse("this is a pipe or a device, but a scene is a JSON file.");
+    refuse(fmt::format("this is a pipe or a device, but {}.", rule));
   }
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) refuse(fmt::format("the file cannot be read ({}).", error.message()));
-  if (size == 0) refuse("the file is empty, but a scene is a JSON object { ... }.");
+  if (size == 0) refuse(fmt::format("the file is empty, but {}.", rule));
   if (size > kLargestFile) {
-    refuse(fmt::format("the file has {} MB, but a scene file may have at most {} MB.",
-                       size / kMegabyte, kLargestFile / kMegabyte));
+    refuse(fmt::format("the file has {} MB, but it may have at most {} MB.", size / kMegabyte,
+                       kLargestFile / kMegabyte));
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse("the file cannot be opened; may you read it?");

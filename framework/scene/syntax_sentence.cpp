@@ -26,7 +26,7 @@ std::string lineAndColumn(std::string_view text, std::size_t offset) {
   const std::size_t lastBreak = before.rfind('\n');
   const std::size_t column =
       lastBreak == std::string_view::npos ? before.size() + 1 : before.size() - lastBreak;
-  return fmt::format("line {}, column {}", line, column);
+  return fmt::format("{}:{}", line, column);
 }
 
 struct Token {

@@ -13,7 +13,7 @@ namespace pathmark {
 // `text` in quotes, shortened, and without characters that would garble a terminal.
 std::string inQuotes(std::string_view text);
 
-// The line, the column and the sentence for a text whose reading ended just before `end`; `message`
+// "line:column: sentence" for a text whose reading ended just before `end`; `message`
 // is the complaint of the JSON library, of which only what it expected is passed on.
 std::string syntaxSentence(std::string_view text, std::size_t end, std::string_view message);
 

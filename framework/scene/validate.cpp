@@ -99,12 +99,34 @@ void validateVertices(const ShapeDescription& shape, const Place& place) {
   for (std::size_t i = 0; i < count; ++i) requirePoint(shape.vertices[i], Place(place, i));
 }
 
-void validateShape(const ShapeDescription& shape, const Place& place) {
-  requireRange(shape.emission, 0.0, kBrightest, "an emitted radiance", Place(place, "emission"));
-  if (shape.kind != ShapeKind::kSphere) {
-    validateVertices(shape, Place(place, "vertices"));
-    return;
+void validateTransform(const TransformDescription& transform, const Place& place) {
+  requirePoint(transform.translate, Place(place, "translate"));
+  requireRange(transform.scale, -kLargestCoordinate, kLargestCoordinate, "a scale",
+               Place(place, "scale"));
+  if (transform.scale.x == 0.0 || transform.scale.y == 0.0 || transform.scale.z == 0.0) {
+    Place(place, "scale").refuse("the scale 0", "this would leave nothing of the shape");
   }
+  const Place rotate(place, "rotate");
+  requirePoint(transform.axis, Place(rotate, "axis"));
+  if (transform.axis == glm::dvec3(0.0)) {
+    Place(rotate, "axis").refuse("the zero vector", "this must be a direction");
+  }
+}
+
+void validateBox(const ShapeDescription& box, const Place& place) {
+  requirePoint(box.low, Place(place, "low"));
+  requirePoint(box.high, Place(place, "high"));
+  for (int i = 0; i < 3; ++i) {
+    if (box.low[i] < box.high[i]) continue;
+    const Place high(place, "high");
+    Place(high, static_cast<std::size_t>(i))
+        .refuse(
+            fmt::format("{}", box.high[i]),
+            fmt::format("the high corner of a box must be above its low one, here {}", box.low[i]));
+  }
+}
+
+void validateSphere(const ShapeDescription& shape, const Place& place) {
   requirePoint(shape.centre, Place(place, "centre"));
   if (!(shape.radius > 0.0)) {
     Place(place, "radius").refuse(fmt::format("{}", shape.radius), "a radius must be above 0");
@@ -117,10 +139,27 @@ void validateShape(const ShapeDescription& shape, const Place& place) {
   }
 }
 
+void validateShape(const ShapeDescription& shape, const Place& place) {
+  requireRange(shape.emission, 0.0, kBrightest, "an emitted radiance", Place(place, "emission"));
+  validateTransform(shape.transform, Place(place, "transform"));
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      validateSphere(shape, place);
+      break;
+    case ShapeKind::kBox:
+      validateBox(shape, place);
+      break;
+    case ShapeKind::kMesh:
+      break;
+    default:
+      validateVertices(shape, Place(place, "vertices"));
+  }
+}
+
 }  // namespace
 
-void validate(const SceneDescription& scene, const std::filesystem::path& file) {
-  const Place top(file);
+void validate(const SceneDescription& scene, const SceneSource& source) {
+  const Place top(source);
   const Place size(top, "size");
   requireWhole(scene.size[0], 1.0, kLargestSide, "the width in pixels", Place(size, 0));
   requireWhole(scene.size[1], 1.0, kLargestSide, "the height in pixels", Place(size, 1));

@@ -7,6 +7,7 @@
 #include "scene/description.h"
 #include "scene/load_scene.h"
 #include "scene/place.h"
+#include "scene/source.h"
 
 #include <filesystem>
 
@@ -16,7 +17,7 @@ namespace pathmark {
 // three still fit a double.
 inline constexpr double kLargestCoordinate = 1e100;
 
-void validate(const SceneDescription& scene, const std::filesystem::path& file);
+void validate(const SceneDescription& scene, const SceneSource& source);
 
 // Puts the overrides into the scene, under the same limits.
 void applyOverrides(SceneDescription& scene, const SceneOverrides& overrides,

@@ -92,7 +92,8 @@ TEST(Faces, TrianglesWithoutAreaAreLeftOutAndCounted) {
                     "vertices": [[1,1,1],[1,1,1],[1,1,1]]})"));
   EXPECT_EQ(scene.flat.triangles.size(), 2u);
   EXPECT_TRUE(scene.flat.lights.empty());
-  ASSERT_EQ(scene.notes.size(), 1u);
+  ASSERT_EQ(scene.notes.size(), 2u);
+  EXPECT_EQ(scene.notes[1], "No shape of the scene has an emission: its picture is black.");
   EXPECT_EQ(scene.notes[0], "3 triangles of zero area were left out, the first of /shapes/0.");
 }
 

@@ -14,7 +14,12 @@ namespace {
 const std::filesystem::path kCornell =
     std::filesystem::path(PATHMARK_ROOT) / "scenes" / "cornell_box.json";
 
-SceneDescription cornell() { return readScene(readText(kCornell), kCornell); }
+const SceneSource& cornellSource() {
+  static const SceneSource source{kCornell, readText(kCornell, "a scene is a JSON file")};
+  return source;
+}
+
+SceneDescription cornell() { return readScene(cornellSource()); }
 
 // The same scene in other units, `shift` in its own units before they change.
 SceneDescription moved(SceneDescription scene, double scale, const glm::dvec3& shift) {
@@ -39,7 +44,7 @@ Result normalisedFlat(SceneDescription scene) {
   result.normalisation = chooseNormalisation(scene);
   normalise(scene, result.normalisation);
   std::vector<std::string> notes;
-  result.flat = flatten(scene, Place(kCornell), notes);
+  result.flat = flatten(scene, Place(cornellSource()), notes);
   EXPECT_TRUE(notes.empty());
   return result;
 }
@@ -134,17 +139,18 @@ TEST(Normalise, LeavesAScenesDetailAloneThatIsOffTheMiddle) {
   const double x = static_cast<double>(scene.flat.spheres[0].centre[0]);
   const Normalisation& n = scene.normalisation;
   EXPECT_NEAR(x / n.scale + n.shift[0], 1.1, 1e-7);
-  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_FALSE(isIdentity(n));
 }
 
 TEST(Normalise, SaysWhatItDidInTheCoordinatesOfTheFile) {
   std::string text =
       sceneWith(R"({"type": "sphere", "material": "a", "centre": [1e7, 0, 0], "radius": 2})");
   text.replace(text.find("[0, 0, 5]"), 9, "[1e7, 0, 5]");
+  text.replace(text.find("[0, 0, 0]"), 9, "[1e7, 0, 0]");
   const LoadedScene scene = loadText(text);
   EXPECT_EQ(scene.normalisation.shift, (std::array{1e7, 0.0, 1.5}));
   EXPECT_EQ(scene.normalisation.scale, 1.0);
-  ASSERT_EQ(scene.notes.size(), 1u);
+  ASSERT_FALSE(scene.notes.empty());
   EXPECT_NE(scene.notes[0].find("1e+07"), std::string::npos) << scene.notes[0];
 }
 

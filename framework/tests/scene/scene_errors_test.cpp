@@ -1,7 +1,7 @@
 // Every malformed scene is refused with one sentence that says where and what.
 #include "scene_files.h"
 
-#include <limits>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -68,7 +68,10 @@ TEST_P(SceneErrors, SayWhereAndWhat) {
   const std::string message = errorOf(text);
   expectOneSentence(message);
   EXPECT_NE(message.find(std::string(c.pointer) + ": "), std::string::npos) << message;
-  EXPECT_NE(message.find(".json"), std::string::npos) << message;
+  const auto line = 1 + std::count(kScene.begin(), kScene.begin() + static_cast<long>(at), '\n');
+  if (c.pointer.starts_with("/")) {
+    EXPECT_NE(message.find(fmt::format(".json:{}, ", line)), std::string::npos) << message;
+  }
   for (const std::string_view word : c.words) {
     EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
   }
@@ -79,23 +82,23 @@ const Case kCases[] = {
     {"trailing_comma",
      "\"radius\": 1.5, \"inward\": false",
      "\"radius\": 1.5,",
-     "line 18, column 81",
+     ".json:18:81",
      {"\"}\"", "comma"}},
-    {"missing_colon", "\"maxBounces\": 4", "\"maxBounces\" 4", "line 5, column 16", {"':'"}},
-    {"missing_quote", "\"maxBounces\": 4", "maxBounces: 4", "line 5, column 3", {"string"}},
-    {"number_too_large", "1.5", "1e999", ".json: line 18, column 77", {"1e999", "1.8e308"}},
-    {"not_a_number", "1.5", "NaN", "line 18, column 77", {"JSON"}},
+    {"missing_colon", "\"maxBounces\": 4", "\"maxBounces\" 4", ".json:5:16", {"':'"}},
+    {"missing_quote", "\"maxBounces\": 4", "maxBounces: 4", ".json:5:3", {"string"}},
+    {"number_too_large", "1.5", "1e999", ".json:18:77", {"1e999", "1.8e308"}},
+    {"not_a_number", "1.5", "NaN", ".json:18:77", {"JSON"}},
     {"second_value",
      "\"inward\": false}\n  ]\n}",
      "\"inward\": false}\n  ]\n} {}",
-     "line 20, column 3",
+     ".json:20:3",
      {"JSON"}},
     {"cut_off",
      "\"inward\": false}\n  ]\n}",
      "\"inward\": false}",
-     "line 18, column 98",
+     ".json:18:98",
      {"ends here"}},
-    {"bad_utf8", "A test", "A \xff test", "line 2, column 17", {"UTF-8"}},
+    {"bad_utf8", "A test", "A \xff test", ".json:2:17", {"UTF-8"}},
     {"repeated_key", "\"exposure\": 2", "\"exposure\": 2, \"exposure\": 3", "/exposure", {"twice"}},
     {"repeated_key_of_a_shape",
      "\"radius\": 1.5",

@@ -1,0 +1,254 @@
+#include "scene/obj_mesh.h"
+
+#include "scene/load_scene.h"
+#include "scene/polygon.h"
+#include "scene/syntax_sentence.h"
+#include "scene/validate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace pathmark {
+namespace {
+
+constexpr std::size_t kMostCorners = 1000;
+
+// Statements of the format that do not change the shape of a mesh.
+constexpr std::array<std::string_view, 15> kSkipped{"vt",     "vn",     "vp",  "g",     "o",
+                                                    "s",      "mg",     "l",   "p",     "usemtl",
+                                                    "mtllib", "usemap", "lod", "bevel", "maplib"};
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// The words of one statement. A backslash at the end of a line continues it on the next.
+class Words {
+ public:
+  Words(std::string_view text, std::size_t& position, std::size_t& line)
+      : text_(text), position_(position), line_(line) {}
+
+  // The next word; empty at the end of the statement.
+  std::string_view next() {
+    skipSpaces();
+    const std::size_t first = position_;
+    while (position_ < text_.size() && !isSpace(text_[position_]) && text_[position_] != '\n' &&
+           text_[position_] != '#' && !continues()) {
+      ++position_;
+    }
+    return text_.substr(first, position_ - first);
+  }
+
+  // Goes behind the end of the line, from anywhere in the statement.
+  void finish() {
+    while (position_ < text_.size() && text_[position_] != '\n') {
+      if (!skipContinuation()) ++position_;
+    }
+    if (position_ < text_.size()) {
+      ++position_;
+      ++line_;
+    }
+  }
+
+ private:
+  // The length of a backslash and the line break behind it; 0 if there is none here.
+  std::size_t continues() const {
+    if (text_[position_] != '\\') return 0;
+    const std::string_view rest = text_.substr(position_ + 1, 2);
+    return rest.starts_with('\n') ? 2 : rest == "\r\n" ? 3 : 0;
+  }
+  bool skipContinuation() {
+    const std::size_t length = continues();
+    position_ += length;
+    line_ += length > 0 ? 1 : 0;
+    return length > 0;
+  }
+  void skipSpaces() {
+    while (position_ < text_.size()) {
+      if (isSpace(text_[position_])) {
+        ++position_;
+      } else if (!skipContinuation()) {
+        return;
+      }
+    }
+  }
+
+  std::string_view text_;
+  std::size_t& position_;
+  std::size_t& line_;
+};
+
+class ObjReader {
+ public:
+  explicit ObjReader(const SceneSource& source) : source_(source) {}
+
+  Mesh read() {
+    const std::string_view text = source_.text;
+    for (std::size_t position = 0; position < text.size();) {
+      statementLine_ = line_;
+      Words words(text, position, line_);
+      readStatement(words);
+      words.finish();
+    }
+    if (mesh_.triangles.empty()) {
+      throw SceneError(fmt::format("{}: found no face, but a mesh has lines such as \"f 1 2 3\".",
+                                   source_.file.string()));
+    }
+    dropUnusedVertices();
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& found, const std::string& rule) const {
+    throw SceneError(fmt::format("{}:{}: found {}, but {}.", source_.file.string(), statementLine_,
+                                 found, rule));
+  }
+
+  void readStatement(Words& words) {
+    const std::string_view kind = words.next();
+    if (kind.empty()) return;
+    if (kind == "v") {
+      readVertex(words);
+    } else if (kind == "f") {
+      readFace(words);
+    } else if (std::find(kSkipped.begin(), kSkipped.end(), kind) == kSkipped.end()) {
+      refuse(inQuotes(kind),
+             "a line of a mesh begins with v, f, or one of vt, vn, g, o, s, usemtl, "
+             "mtllib, which are skipped");
+    }
+  }
+
+  double number(std::string_view word) const {
+    const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    // Too small or too large; the C library tells which.
+    if (error == std::errc::result_out_of_range) {
+      value = std::strtod(std::string(digits).c_str(), nullptr);
+    } else if (error != std::errc{}) {
+      refuse(inQuotes(word), "a coordinate is a number");
+    }
+    if (end != digits.data() + digits.size()) refuse(inQuotes(word), "a coordinate is a number");
+    if (!(std::abs(value) <= kLargestCoordinate)) {
+      refuse(inQuotes(word), fmt::format("a coordinate must be from {} to {}", -kLargestCoordinate,
+                                         kLargestCoordinate));
+    }
+    return value;
+  }
+
+  // x y z, then perhaps a weight, a colour, or both, which are read and not used.
+  void readVertex(Words& words) {
+    std::array<double, 7> values{};
+    std::size_t count = 0;
+    for (std::string_view word; !(word = words.next()).empty(); ++count) {
+      if (count == values.size()) refuse("more than 7 numbers", "a vertex has three coordinates");
+      values[count] = number(word);
+    }
+    if (count < 3 || count == 5) {
+      refuse(fmt::format("{} {}", count, count == 1 ? "number" : "numbers"),
+             "a vertex has three coordinates, as in \"v 0.5 1 -2\"");
+    }
+    mesh_.vertices.emplace_back(values[0], values[1], values[2]);
+  }
+
+  // The vertex of "7", "7/1", "7//3" or "7/1/3"; negative numbers count back from the last one.
+  std::uint32_t vertexIndex(std::string_view word) const {
+    std::int64_t number = 0;
+    const char *at = word.data(), *last = word.data() + word.size();
+    const auto [end, error] = std::from_chars(at, last, number);
+    const bool whole = error == std::errc{} && (end == last || *end == '/');
+    if (error != std::errc::result_out_of_range && !whole) {
+      refuse(inQuotes(word), "a face is a list of vertex numbers, as in \"f 1 2 3\"");
+    }
+    const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
+    const std::int64_t index = number > 0 ? number - 1 : count + number;
+    if (!whole || number == 0 || index < 0 || index >= count) {
+      refuse("the vertex " + inQuotes(word),
+             fmt::format("{} vertices stand above this line, and they count from 1", count));
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  void readFace(Words& words) {
+    corners_.clear();
+    for (std::string_view word; !(word = words.next()).empty();) {
+      if (corners_.size() == kMostCorners) {
+        refuse("a face of more vertices", fmt::format("a face may have at most {}", kMostCorners));
+      }
+      corners_.push_back(vertexIndex(word));
+    }
+    if (corners_.size() < 3) {
+      refuse(fmt::format("a face of {} {}", corners_.size(),
+                         corners_.size() == 1 ? "vertex" : "vertices"),
+             "a face must have at least 3");
+    }
+    if (corners_.size() == 3) {
+      mesh_.triangles.push_back({corners_[0], corners_[1], corners_[2]});
+    } else {
+      cutFace();
+    }
+  }
+
+  // Not every face that programs write is planar: it is cut as it looks along its mean normal.
+  void cutFace() {
+    std::vector<glm::dvec3> points;
+    points.reserve(corners_.size());
+    for (const std::uint32_t c : corners_) points.push_back(mesh_.vertices[c]);
+    // From the first vertex and in units of the face, so that no product is too large or too small.
+    const double size = diameter(points);
+    const glm::dvec3 first = points[0];
+    for (glm::dvec3& p : points) p = size > 0.0 ? (p - first) / size : glm::dvec3(0.0);
+    const glm::dvec3 normal = newellVector(points);
+    const bool flat = glm::length(normal) <= kFlatArea;
+    const auto cut = flat ? std::nullopt : triangulate(project(points, normal));
+    if (cut) {
+      for (const TriangleIndices& t : *cut) {
+        mesh_.triangles.push_back({corners_[t[0]], corners_[t[1]], corners_[t[2]]});
+      }
+    } else if (flat || corners_.size() == 4) {
+      for (std::size_t i = 2; i < corners_.size(); ++i) {
+        mesh_.triangles.push_back({corners_[0], corners_[i - 1], corners_[i]});
+      }
+    } else {
+      refuse(fmt::format("a face of {} vertices that crosses or touches itself", corners_.size()),
+             "it must be simple enough to be cut into triangles");
+    }
+  }
+
+  void dropUnusedVertices() {
+    constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> index(mesh_.vertices.size(), kUnused);
+    for (const TriangleIndices& t : mesh_.triangles) {
+      for (const std::uint32_t v : t) index[v] = 0;
+    }
+    if (std::find(index.begin(), index.end(), kUnused) == index.end()) return;
+    std::uint32_t used = 0;
+    for (std::size_t i = 0; i < index.size(); ++i) {
+      if (index[i] == kUnused) continue;
+      mesh_.vertices[used] = mesh_.vertices[i];
+      index[i] = used++;
+    }
+    mesh_.vertices.resize(used);
+    for (TriangleIndices& t : mesh_.triangles) {
+      for (std::uint32_t& v : t) v = index[v];
+    }
+  }
+
+  const SceneSource& source_;
+  std::size_t line_ = 1, statementLine_ = 1;
+  Mesh mesh_;
+  std::vector<std::uint32_t> corners_;
+};
+
+}  // namespace
+
+Mesh readObj(const SceneSource& source) { return ObjReader(source).read(); }
+
+}  // namespace pathmark
