@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -69,6 +70,7 @@ RTCRay rayFrom(const Point& origin, const Vector& direction, float tMax) {
   ray.dir_x = direction.x;
   ray.dir_y = direction.y;
   ray.dir_z = direction.z;
+  ray.tnear = std::numeric_limits<float>::min();  // Embree would accept a hit at 0
   ray.tfar = tMax;
   ray.mask = ~0u;
   return ray;
@@ -105,7 +107,7 @@ bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) c
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_.get(), &context, &query);
 #endif
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID || !(query.ray.tfar > 0.0f)) return false;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   hit.t = query.ray.tfar;
   hit.index = query.hit.primID;
   hit.isSphere = false;

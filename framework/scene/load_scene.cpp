@@ -25,15 +25,14 @@ std::string describe(const Normalisation& n) {
       -std::ilogb(n.scale), n.shift[0], n.shift[1], n.shift[2]);
 }
 
-LoadedScene load(const std::filesystem::path& file, const SceneOverrides& overrides) {
-  const SceneSource source{file, readText(file, "a scene is a JSON file")};
+LoadedScene load(const SceneSource& source, const SceneOverrides& overrides) {
   SceneDescription scene = readScene(source);
-  applyOverrides(scene, overrides, file);
+  applyOverrides(scene, overrides, source.file);
   validate(scene, source);
   makeGeometry(scene, source);
 
   LoadedScene loaded;
-  loaded.name = file.stem().string();
+  loaded.name = source.file.stem().string();
   loaded.caption = scene.caption;
   loaded.exposure = scene.exposure;
   loaded.raysPerPixel = static_cast<int>(scene.raysPerPixel);
@@ -62,12 +61,17 @@ LoadedScene load(const std::filesystem::path& file, const SceneOverrides& overri
 
 }  // namespace
 
-LoadedScene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+LoadedScene loadScene(const SceneSource& source, const SceneOverrides& overrides) {
   try {
-    return load(file, overrides);
+    return load(source, overrides);
   } catch (const std::bad_alloc&) {
-    throw SceneError(fmt::format("{}: the scene needs more memory than there is.", file.string()));
+    throw SceneError(
+        fmt::format("{}: the scene needs more memory than there is.", source.file.string()));
   }
+}
+
+LoadedScene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+  return loadScene(SceneSource{file, readText(file, "a scene is a JSON file")}, overrides);
 }
 
 }  // namespace pathmark

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "scene/flat_scene.h"
+#include "scene/source.h"
 
 #include <array>
 #include <filesystem>
@@ -45,5 +46,8 @@ struct SceneOverrides {
 
 // Throws SceneError.
 LoadedScene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+
+// The same of a text that need not be in the file; meshes are looked for in the file's folder.
+LoadedScene loadScene(const SceneSource& source, const SceneOverrides& overrides = {});
 
 }  // namespace pathmark

@@ -48,7 +48,8 @@ FlatScene randomTriangles(int count) {
   return scene;
 }
 
-// Rays that graze an edge or meet two triangles at almost one place may go either way.
+// Rays that graze an edge or meet two triangles at almost one place may go either way. Rays and
+// triangles are made of the same numbers: some rays start at a vertex, which is no hit at t > 0.
 TEST(EmbreeIntersector, MeetsWhatTheFlatLoopMeets) {
   const FlatScene scene = randomTriangles(500);
   const FlatIntersector flat(viewOf(scene));

@@ -1,6 +1,7 @@
 // What the tests of this folder share: scene files on disk.
 //
 //   TemporaryFile   a file with a given text, removed afterwards
+//   SceneFolder     a folder for a scene and its meshes, removed afterwards
 //   loadText        loadScene of a text
 //   sceneWith       a small valid scene around the given shapes
 #pragma once
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -33,6 +35,30 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class SceneFolder {
+ public:
+  SceneFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "pathmark-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~SceneFolder() { std::filesystem::remove_all(path_); }
+  SceneFolder(const SceneFolder&) = delete;
+  SceneFolder& operator=(const SceneFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  void write(const std::string& name, std::string_view text) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << text;
+  }
+  LoadedScene load(std::string_view text) const {
+    write("scene.json", text);
+    return loadScene(path_ / "scene.json");
+  }
 
  private:
   std::filesystem::path path_;
