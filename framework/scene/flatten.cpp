@@ -2,6 +2,7 @@
 
 #include "scene/faces.h"
 #include "scene/polygon.h"
+#include "scene/syntax_sentence.h"
 #include "scene/to_float.h"
 
 #include <fmt/format.h>
@@ -167,7 +168,7 @@ class Flattener {
   void drop(std::size_t triangles, const ShapeDescription& shape, const Place& place) {
     if (dropped_ == 0) {
       firstDropped_ = place.pointer();
-      if (!shape.name.empty()) firstDropped_ += fmt::format(" (\"{}\")", shape.name);
+      if (!shape.name.empty()) firstDropped_ += fmt::format(" ({})", inQuotes(shape.name));
     }
     dropped_ += triangles;
   }

@@ -2,10 +2,17 @@
 
 #include "scene/json_text.h"
 #include "scene/load_scene.h"
+#include "scene/syntax_sentence.h"
 
 #include <fmt/format.h>
 
 namespace pathmark {
+namespace {
+
+// Keys are the file's own words, and may be anything.
+constexpr std::size_t kLongestPointer = 120;
+
+}  // namespace
 
 std::string Place::pointer() const {
   if (parent_ == nullptr) return {};
@@ -28,7 +35,7 @@ void Place::refuse(std::string_view sentence) const {
   const std::size_t line = lineOf(source_->text, where);
   throw SceneError(fmt::format("{}{}{}{}: {}", source_->file.string(),
                                line == 0 ? "" : fmt::format(":{}", line), where.empty() ? "" : ", ",
-                               where, sentence));
+                               shown(where, kLongestPointer), sentence));
 }
 
 void Place::refuse(std::string_view found, std::string_view rule) const {

@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kLongestCommand = 200;
+
 // Corner k has the high x, y and z where bit 0, 1 and 2 of k is set.
 std::vector<glm::dvec3> boxCorners(const ShapeDescription& box) {
   std::vector<glm::dvec3> corners;
@@ -56,7 +58,7 @@ fs::path findMesh(const ShapeDescription& shape, const SceneSource& source, cons
                  shape.madeBy.empty()
                      ? fmt::format("there is no file {}", file.string())
                      : fmt::format("there is no file {} yet; the scene says that this makes it: {}",
-                                   file.string(), shape.madeBy));
+                                   file.string(), shown(shape.madeBy, kLongestCommand)));
   }
   const fs::path real = fs::canonical(file, error), top = fs::canonical(folder, error);
   if (error || !staysBelow(real.lexically_relative(top))) {

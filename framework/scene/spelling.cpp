@@ -1,5 +1,7 @@
 #include "scene/spelling.h"
 
+#include "scene/syntax_sentence.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +59,7 @@ std::string_view nearestName(std::string_view word, std::span<const std::string_
 
 std::string didYouMean(std::string_view word, std::span<const std::string_view> names) {
   const std::string_view nearest = nearestName(word, names);
-  return nearest.empty() ? std::string() : fmt::format(" Did you mean \"{}\"?", nearest);
+  return nearest.empty() ? std::string() : fmt::format(" Did you mean {}?", inQuotes(nearest));
 }
 
 }  // namespace pathmark

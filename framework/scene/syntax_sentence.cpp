@@ -74,7 +74,8 @@ std::string complaint(std::string_view text, const Token& token, std::string_vie
   constexpr std::string_view kMark = "; expected ";
   const std::size_t mark = message.rfind(kMark);
   if (mark == std::string_view::npos) return fmt::format("found {}, but this is not JSON.", found);
-  const std::string_view wanted = message.substr(mark + kMark.size());
+  // The message quotes the file, which may hold the mark as well.
+  const std::string wanted = shown(message.substr(mark + kMark.size()), kLongestQuote);
   const bool closing = wanted == "'}'" || wanted == "']'";
   return fmt::format("found {}, but JSON wants {}{} here.", found, closing ? "a comma or " : "",
                      wanted);
@@ -82,13 +83,17 @@ std::string complaint(std::string_view text, const Token& token, std::string_vie
 
 }  // namespace
 
-std::string inQuotes(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text.substr(0, kLongestQuote)) {
+std::string shown(std::string_view text, std::size_t longest) {
+  std::string result(text.substr(0, longest));
+  for (char& c : result) {
     const bool printable = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-    result += printable ? c : '?';
+    c = printable ? c : '?';
   }
-  return result + (text.size() > kLongestQuote ? "...\"" : "\"");
+  return text.size() > longest ? result + "..." : result;
+}
+
+std::string inQuotes(std::string_view text) {
+  return fmt::format("\"{}\"", shown(text, kLongestQuote));
 }
 
 std::string syntaxSentence(std::string_view text, std::size_t end, std::string_view message) {

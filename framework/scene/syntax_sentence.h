@@ -1,6 +1,6 @@
 // What is wrong with a text that is no JSON, in words for a person.
 //
-//   inQuotes         a piece of the file, safe and short enough to show
+//   shown, inQuotes  a piece of the file, safe and short enough to show
 //   syntaxSentence   line and column, what was found there and what JSON allows
 #pragma once
 
@@ -10,7 +10,10 @@
 
 namespace pathmark {
 
-// `text` in quotes, shortened, and without characters that would garble a terminal.
+// `text` without characters that would garble a terminal, and no longer than that.
+std::string shown(std::string_view text, std::size_t longest);
+
+// The same in quotes, with at most 40 characters.
 std::string inQuotes(std::string_view text);
 
 // "line:column: sentence" for a text whose reading ended just before `end`; `message`

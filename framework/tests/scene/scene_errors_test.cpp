@@ -362,6 +362,17 @@ TEST(SceneErrorsOfFiles, LongAndStrangeTextIsShownShortAndClean) {
   EXPECT_EQ(message.find('\x1b'), std::string::npos);
 }
 
+TEST(SceneErrorsOfFiles, LongAndStrangeKeysAreShownShortAndClean) {
+  const std::string key = "\\n\\u001b[31m" + std::string(100000, 'x');
+  for (const char* there : {"\"exposure\"", "\"radius\"", "\"white\": {"}) {
+    std::string text(kScene);
+    text.replace(text.find(there), 1, "\"" + key + "\": 1, \"");
+    const std::string message = errorOf(text);
+    expectOneSentence(message);
+    EXPECT_EQ(message.find('\x1b'), std::string::npos);
+  }
+}
+
 TEST(SceneErrorsOfOverrides, AreCheckedWithTheSameLimits) {
   const std::string size = errorOf(kScene, {.size = std::array{0, 5}});
   EXPECT_NE(size.find("0 x 5"), std::string::npos) << size;
