@@ -20,8 +20,8 @@ class ImageError : public std::runtime_error {
 
 struct Image {
   int width = 0, height = 0;
-  std::vector<float> rgb;             // 3 x width x height
-  std::vector<std::uint8_t> invalid;  // 1 for a pixel that has no valid ray; empty if none is
+  std::vector<float> rgb{};             // 3 x width x height
+  std::vector<std::uint8_t> invalid{};  // 1 for a pixel that has no valid ray; empty if none is
   // Of each value of rgb as an estimate, the square of its standard error; empty if unknown.
   std::vector<float> variance{};
 

@@ -1,10 +1,11 @@
-#include "film/image_file.h"
+#include "film/image_formats.h"
+#include "film/image_limits.h"
 
 #include <fmt/format.h>
 
 #include <bit>
 #include <cstring>
-#include <fstream>
+#include <sstream>
 
 namespace pathmark {
 
@@ -19,29 +20,29 @@ std::string encodePfm(const Image& image) {
   return text;
 }
 
-Image readPfm(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw ImageError(fmt::format("{} cannot be read.", file.string()));
+Image decodePfm(std::string_view bytes) {
+  constexpr std::size_t kLongestHeader = 128;
+  std::istringstream header(std::string(bytes.substr(0, kLongestHeader)));
   std::string kind;
+  std::int64_t width = 0, height = 0;
   double scale = 0.0;
-  Image image;
-  in >> kind >> image.width >> image.height >> scale;
-  in.get();
-  constexpr int kLargest = 65536;
-  if (!in || kind != "PF" || scale >= 0.0 || image.width < 1 || image.height < 1 ||
-      image.width > kLargest || image.height > kLargest)
+  header >> kind >> width >> height >> scale;
+  if (!header || kind != "PF" || !(scale < 0.0) || header.get() < 0)
     throw ImageError(
-        fmt::format("{} is no little-endian PFM image with three channels.", file.string()));
-  const std::size_t row = static_cast<std::size_t>(image.width) * 3;
-  std::error_code error;
-  const std::uintmax_t pixels = row * sizeof(float) * static_cast<std::size_t>(image.height);
-  if (std::filesystem::file_size(file, error) < pixels || error)
-    throw ImageError(fmt::format("{} ends before its last pixel.", file.string()));
-  image.rgb.resize(row * static_cast<std::size_t>(image.height));
-  for (int j = image.height - 1; j >= 0; --j)
-    in.read(reinterpret_cast<char*>(image.rgb.data() + static_cast<std::size_t>(j) * row),
-            static_cast<std::streamsize>(row * sizeof(float)));
-  if (!in) throw ImageError(fmt::format("{} ends before its last pixel.", file.string()));
+        "this is no PFM image with three channels and little-endian numbers, which begins with PF, "
+        "width, height and -1.0.");
+  requireImageSize(width, height);
+  const std::string_view pixels = bytes.substr(static_cast<std::size_t>(header.tellg()));
+  const auto rows = static_cast<std::size_t>(height);
+  const std::size_t row = static_cast<std::size_t>(width) * 3;
+  if (pixels.size() < rows * row * sizeof(float))
+    throw ImageError(fmt::format("the file ends early: {} bytes of pixels, and {}x{} need {}.",
+                                 pixels.size(), width, height, rows * row * sizeof(float)));
+  Image image{static_cast<int>(width), static_cast<int>(height), {}, {}, {}};
+  image.rgb.resize(rows * row);
+  for (std::size_t j = 0; j < rows; ++j)
+    std::memcpy(image.rgb.data() + (rows - 1 - j) * row, pixels.data() + j * row * sizeof(float),
+                row * sizeof(float));
   return image;
 }
 

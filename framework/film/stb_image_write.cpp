@@ -1,3 +1,3 @@
+// Not with STBI_WRITE_NO_STDIO, which also leaves out writing HDR to memory.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STBI_WRITE_NO_STDIO
 #include <stb_image_write.h>

@@ -153,8 +153,8 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                    0, std::numeric_limits<std::int64_t>::max());
   command
       ->add_option("--output", arguments->output,
-                   "The file to write: .png to look at, .pfm to compute with (default: "
-                   "SCENE_COURSEWORK.png)")
+                   "The file to write: .png to look at; .exr, which also keeps how it was made, .pfm "
+                   "or .hdr to compute with (default: SCENE_COURSEWORK.png)")
       ->type_name("FILE");
   command
       ->add_option("--stop-after", arguments->options.secondsWithoutAnswer,
@@ -168,7 +168,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark render ucl_rectangle\n"
       "  ./pathmark render cornell_box --with solutions --rays-per-pixel 256\n"
       "  ./pathmark render cornell_box --warm-up --size 128x128\n"
-      "  ./pathmark render student/scenes/my_scene.json --output my_scene.pfm\n\n"
+      "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n\n"
       "The same seed gives the same bits, for any number of threads.\n"
       "Exit code: 0 done, 1 the coursework is at fault, 2 the command line or the scene is,\n"
       "3 the machine is, 130 interrupted.");

@@ -1,6 +1,7 @@
 // Images: what is written can be read again, and nothing is ever half written.
 #include "film/atomic_file.h"
 #include "film/image_file.h"
+#include "film/image_formats.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +10,6 @@
 #include <fstream>
 #include <iterator>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
 #include <stb_image.h>
 
 namespace pathmark::test {
