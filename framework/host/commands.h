@@ -14,6 +14,7 @@ using CommandAction = std::function<int()>;
 
 void addRenderCommand(CLI::App& app, CommandAction& action);
 void addDemoCommand(CLI::App& app, CommandAction& action);
+void addCompareCommand(CLI::App& app, CommandAction& action);
 void addStatusCommand(CLI::App& app, CommandAction& action);
 void addBuildCommand(CLI::App& app, CommandAction& action);
 

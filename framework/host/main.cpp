@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
                    "  ./pathmark test -R Sphere                (further words go to ctest)");
   addStatusCommand(app, action);
   addRenderCommand(app, action);
+  addCompareCommand(app, action);
   addBuildCommand(app, action);
   addScriptCommand(app, "clean", "Remove the build folder",
                    "Examples:\n"

@@ -35,7 +35,7 @@ class Command : public testing::Test {
 };
 
 TEST_F(Command, EveryHelpCarriesExamples) {
-  for (const char* command : {"render", "demo", "status", "build", "test", "clean"})
+  for (const char* command : {"render", "compare", "demo", "status", "build", "test", "clean"})
     expectSays(pathmark({command, "--help"}), 0, "Examples:");
   expectSays(pathmark({"--help"}), 0, "Examples:");
 }
