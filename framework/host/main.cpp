@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <system_error>
@@ -86,6 +87,8 @@ int run(int argc, char** argv) {
     return app.exit(e) == 0 ? kSuccess : kUsageFault;
   }
   watchForInterrupt();
+  // A limit on the size of files (ulimit -f) is then an error of write, which has a sentence.
+  std::signal(SIGXFSZ, SIG_IGN);
   return action();
 }
 
