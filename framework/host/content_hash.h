@@ -1,4 +1,5 @@
-// contentHash: 32 hexadecimal digits that stand for a text.
+// contentHash: 32 hexadecimal digits that stand for a text; ContentHasher for one that comes in
+// pieces.
 //
 // Two independent FNV-1a hashes (Fowler, Noll & Vo) of 64 bits: against accidents, not against
 // somebody who looks for collisions.
@@ -6,21 +7,39 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace pathmark {
 
-inline std::string contentHash(std::string_view text) {
-  constexpr std::uint64_t kPrime = 0x100000001b3ull;
-  std::uint64_t a = 0xcbf29ce484222325ull, b = 0x84222325cbf29ce4ull;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    a = (a ^ byte) * kPrime;
-    b = (b * kPrime) ^ byte;
+class ContentHasher {
+ public:
+  void add(std::string_view text) {
+    constexpr std::uint64_t kPrime = 0x100000001b3ull;
+    for (const char c : text) {
+      const auto byte = static_cast<unsigned char>(c);
+      a_ = (a_ ^ byte) * kPrime;
+      b_ = (b_ * kPrime) ^ byte;
+    }
   }
-  return fmt::format("{:016x}{:016x}", a, b);
+
+  std::string digits() const { return fmt::format("{:016x}{:016x}", a_, b_); }
+
+ private:
+  std::uint64_t a_ = 0xcbf29ce484222325ull, b_ = 0x84222325cbf29ce4ull;
+};
+
+inline std::string contentHash(std::string_view text) {
+  ContentHasher hasher;
+  hasher.add(text);
+  return hasher.digits();
+}
+
+inline std::string contentHash(std::span<const std::byte> bytes) {
+  return contentHash({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace pathmark
