@@ -12,13 +12,20 @@ namespace pathmark {
 
 namespace {
 
+// From the pace of this run, which may have other threads and company than earlier ones; shown as
+// soon as the pace is known by some of the work or for some time.
 std::string timeLeft(const RenderStatus& status) {
-  if (status.fraction < 0.01 || status.seconds < 0.3) return "";
-  const double left = status.seconds * (1.0 - status.fraction) / status.fraction;
-  const auto seconds = static_cast<long>(std::ceil(left));
+  const double made = status.fraction - status.fractionBefore;
+  const double spent = status.seconds - status.secondsBefore;
+  if (spent < 0.3 || made <= 0.0 || (made < 0.01 && spent < 5.0)) return "";
+  const double left = std::ceil(spent * (1.0 - status.fraction) / made);
+  if (left > 365.0 * 86400.0) return "more than a year left";
+  const auto seconds = static_cast<long>(left);
   if (seconds < 60) return fmt::format("{} s left", seconds);
   if (seconds < 3600) return fmt::format("{} min {:02} s left", seconds / 60, seconds % 60);
-  return fmt::format("{} h {:02} min left", seconds / 3600, seconds / 60 % 60);
+  if (seconds < 48 * 3600)
+    return fmt::format("{} h {:02} min left", seconds / 3600, seconds / 60 % 60);
+  return fmt::format("{} days {} h left", seconds / 86400, seconds / 3600 % 24);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pathmark {
 
@@ -17,75 +18,139 @@ constexpr const char* kScribbled =
     "The film holds values that the framework never writes: coursework must not write outside its "
     "own variables.";
 
-// The film as it is now, checked: a worker may write anything into it at any time.
-std::vector<FilmPixel> copyFilm(const SharedFilm& film, std::uint64_t rays, WorkerProcess& worker) {
-  std::vector<FilmPixel> pixels(film.pixels().begin(), film.pixels().end());
-  for (const FilmPixel& pixel : pixels) {
-    const bool sane = std::isfinite(pixel.sum[0]) && std::isfinite(pixel.sum[1]) &&
-                      std::isfinite(pixel.sum[2]) && pixel.rays >= 0.0 &&
-                      pixel.rays <= static_cast<double>(rays);
-    if (!sane) worker.refuseAnswer(kScribbled);
-  }
-  return pixels;
+// The first step's: hundredths of a second for a scene of the coursework, and not long for one of
+// which every ray takes a thousand times as much.
+constexpr double kFirstPixelPasses = 1024.0;
+
+double allRays(const RenderSettings& settings) {
+  return static_cast<double>(settings.pixels()) * static_cast<double>(settings.raysPerPixel);
+}
+
+double fractionMade(const RenderSettings& settings, const RenderState& state) {
+  return static_cast<double>(raysMade(settings, state)) / allRays(settings);
+}
+
+double sumOfRays(std::span<const FilmPixel> film) {
+  double rays = 0.0;
+  for (const FilmPixel& pixel : film) rays += pixel.rays;
+  return rays;
+}
+
+double pixelPassesOf(const RenderJob& job) {
+  const double passes = std::ceil(static_cast<double>(job.rays) / job.raysPerPass);
+  return passes * job.region.width * job.region.height;
 }
 
 }  // namespace
 
-std::uint32_t raysPerPass(std::uint64_t raysPerPixel) {
-  constexpr std::uint64_t kLargestPass = 64;
-  return static_cast<std::uint32_t>(std::min(raysPerPixel, kLargestPass));
+ImageRender::ImageRender(WorkerProcess& worker, const RenderSettings& settings, RenderState state)
+    : worker_(worker),
+      settings_(settings),
+      state_(std::move(state)),
+      fractionBefore_(fractionMade(settings, state_)),
+      secondsBefore_(state_.seconds),
+      film_(settings.width, settings.height),
+      pixelPasses_(kFirstPixelPasses) {
+  if (!state_.begun()) state_.film.assign(settings.pixels(), FilmPixel{});
+}
+
+// The worker adds to the sums that are there, in the order of the passes: the bits do not depend
+// on where one step ends and the next begins.
+bool ImageRender::step(const OnStatus& onStatus) {
+  remainder_.reset();
+  const RenderJob job = nextJob(settings_, state_, pixelPasses_);
+  const auto rows = rowsOf(job.region);
+  const std::span<FilmPixel> shared = film_.pixels().subspan(
+      static_cast<std::size_t>(rows.data() - state_.film.data()), rows.size());
+  std::copy(rows.begin(), rows.end(), shared.begin());
+
+  const auto started = Clock::now();
+  const double madeBefore = static_cast<double>(raysMade(settings_, state_));
+  bool going = true;
+  const RenderResult made = worker_.render(job, film_, [&](const RenderProgress& p) {
+    const double now = static_cast<double>(p.pixelPassesDone) * job.raysPerPass;
+    const double fraction = std::min((madeBefore + now) / allRays(settings_), 1.0);
+    going = onStatus({fraction, fractionBefore_, state_.seconds + secondsSince(started),
+                      secondsBefore_, state_.raysTraced + p.raysTraced}) &&
+            going;
+    return going;
+  });
+  const double seconds = secondsSince(started);
+  std::vector<FilmPixel> checked = checkedRows(job, made, going);
+  if (!going) {
+    remainder_ = Remainder{job.region, std::move(checked), made, seconds};
+    return false;
+  }
+  std::copy(checked.begin(), checked.end(), rows.begin());
+  state_.raysTraced += made.raysTraced;
+  state_.invalid.add(made.invalid);
+  state_.seconds += seconds;
+  advance(settings_, job, state_);
+
+  // About a second's work, so that its overhead is nothing, and little is lost with the step.
+  constexpr double kStepSeconds = 1.0;
+  const double fitting = pixelPassesOf(job) * kStepSeconds / std::max(seconds, 1e-3);
+  pixelPasses_ = std::clamp(fitting, 1.0, 4.0 * pixelPasses_);
+  return true;
+}
+
+RenderedImage ImageRender::image() const {
+  RenderedImage result;
+  result.invalid = state_.invalid;
+  result.raysTraced = state_.raysTraced;
+  result.seconds = state_.seconds;
+  result.complete = finished();
+  std::vector<FilmPixel> newest;
+  std::span<const FilmPixel> film = state_.film;
+  if (remainder_) {
+    newest = state_.film;
+    const auto top = static_cast<std::ptrdiff_t>(remainder_->region.top) * settings_.width;
+    std::copy(remainder_->film.begin(), remainder_->film.end(), newest.begin() + top);
+    film = newest;
+    result.invalid.add(remainder_->made.invalid);
+    result.raysTraced += remainder_->made.raysTraced;
+    result.seconds += remainder_->seconds;
+  }
+  result.image = imageFromReplicates(settings_.width, settings_.height, state_.replicates, film);
+  const double rays = sumOfRays(film) + sumOfRays(state_.replicates.film) +
+                      static_cast<double>(result.invalid.count()) * settings_.raysPerPass();
+  result.raysPerPixel = result.complete ? static_cast<double>(settings_.raysPerPixel)
+                                        : rays / static_cast<double>(settings_.pixels());
+  return result;
+}
+
+// Regions are whole rows.
+std::span<FilmPixel> ImageRender::rowsOf(const PixelRegion& region) {
+  const auto width = static_cast<std::size_t>(settings_.width);
+  return std::span(state_.film)
+      .subspan(static_cast<std::size_t>(region.top) * width,
+               static_cast<std::size_t>(region.height) * width);
+}
+
+// The film's rows as they are now: a worker may write anything into them at any time. In a whole
+// job, rays are missing only where their pass was reported as invalid.
+std::vector<FilmPixel> ImageRender::checkedRows(const RenderJob& job, const RenderResult& made,
+                                                bool whole) {
+  const std::span<const FilmPixel> before = rowsOf(job.region);
+  const auto first = film_.pixels().begin() + (before.data() - state_.film.data());
+  std::vector<FilmPixel> rows(first, first + static_cast<std::ptrdiff_t>(before.size()));
+  const auto most = static_cast<double>(job.firstRay + job.rays);
+  double rays = static_cast<double>(made.invalid.count()) * job.raysPerPass;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!isPossible(rows[i], most)) worker_.refuseAnswer(kScribbled);
+    rays += rows[i].rays - before[i].rays;
+  }
+  const double due = static_cast<double>(rows.size()) * static_cast<double>(job.rays);
+  if (whole && rays < due) worker_.refuseAnswer(kScribbled);
+  return rows;
 }
 
 RenderedImage renderImage(WorkerProcess& worker, const RenderSettings& settings,
-                          const std::function<bool(const RenderStatus&)>& onStatus) {
-  SharedFilm film(settings.width, settings.height);
-  RenderedImage result;
-  RenderJob job;
-  job.estimator = settings.estimator;
-  job.threads = settings.threads;
-  job.seed = settings.seed;
-  job.raysPerPass = raysPerPass(settings.raysPerPixel);
-  job.region = {0, 0, settings.width, settings.height};
-
-  const auto started = Clock::now();
-  const double pixels = static_cast<double>(settings.width) * settings.height;
-  const double allRays = pixels * static_cast<double>(settings.raysPerPixel);
-  std::uint64_t passes = 1;
-  while (result.complete && job.firstRay < settings.raysPerPixel) {
-    job.rays =
-        std::min<std::uint64_t>(passes * job.raysPerPass, settings.raysPerPixel - job.firstRay);
-    const auto before = Clock::now();
-    const RenderResult made = worker.render(job, film, [&](const RenderProgress& p) {
-      const double done =
-          pixels * static_cast<double>(job.firstRay) +
-          static_cast<double>(p.pixelPassesDone) * static_cast<double>(job.raysPerPass);
-      const RenderStatus status{std::min(done / allRays, 1.0), secondsSince(started),
-                                result.raysTraced + p.raysTraced};
-      result.complete = onStatus(status) && result.complete;
-      return result.complete;
-    });
-    result.raysTraced += made.raysTraced;
-    result.invalid.add(made.invalid);
-    job.firstRay += job.rays;
-
-    // All pixels get their passes of one request before any gets those of the next, so that an
-    // interrupted image is even; a request lasts about a second, so that its overhead is nothing.
-    constexpr double kRequestSeconds = 1.0;
-    const double seconds = std::max(secondsSince(before), 1e-3);
-    const double fitting = static_cast<double>(passes) * kRequestSeconds / seconds;
-    passes =
-        static_cast<std::uint64_t>(std::clamp(fitting, 1.0, 4.0 * static_cast<double>(passes)));
+                          const OnStatus& onStatus) {
+  ImageRender render(worker, settings);
+  while (!render.finished() && render.step(onStatus)) {
   }
-  const std::vector<FilmPixel> final = copyFilm(film, settings.raysPerPixel, worker);
-  result.image = imageFromFilm(settings.width, settings.height, final);
-  double rays = static_cast<double>(result.invalid.count()) * job.raysPerPass;
-  for (const FilmPixel& pixel : final) rays += pixel.rays;
-  // Rays are missing only where their pass was reported as invalid.
-  if (result.complete && rays < allRays) worker.refuseAnswer(kScribbled);
-  result.raysPerPixel =
-      result.complete ? static_cast<double>(settings.raysPerPixel) : rays / pixels;
-  result.seconds = secondsSince(started);
-  return result;
+  return render.image();
 }
 
 }  // namespace pathmark

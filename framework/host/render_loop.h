@@ -1,25 +1,27 @@
-// renderImage: makes the passes of an image with a worker, in the same order as the preview.
+// Making an image with a worker, step by step.
+//
+//   ImageRender     a render that can be stopped after any step, and gone on with
+//   renderImage     all its steps
+//   RenderedImage   what comes of it
+//   RenderStatus    how far it is
 #pragma once
 
 #include "film/image.h"
+#include "host/render_state.h"
 #include "host/worker_process.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <vector>
 
 namespace pathmark {
 
-struct RenderSettings {
-  int width = 1, height = 1;
-  std::uint64_t raysPerPixel = 64;
-  std::uint32_t threads = 1;
-  std::uint64_t seed = 0;
-  Estimator estimator = Estimator::kPath;
-};
-
 struct RenderStatus {
-  double fraction = 0.0;  // of the image's rays, [0,1]
+  double fraction = 0.0;        // of the image's rays, [0,1]
+  double fractionBefore = 0.0;  // made by earlier runs that this one goes on from
   double seconds = 0.0;
+  double secondsBefore = 0.0;
   std::uint64_t raysTraced = 0;
 };
 
@@ -32,11 +34,50 @@ struct RenderedImage {
   bool complete = true;
 };
 
-// Rays of one renderPixel call: the smaller of N and 64.
-std::uint32_t raysPerPass(std::uint64_t raysPerPixel);
+// Called several times a second; returns whether to go on.
+using OnStatus = std::function<bool(const RenderStatus&)>;
 
-// `onStatus` is called several times a second and returns whether to go on. Throws WorkerError.
+class ImageRender {
+ public:
+  // Goes on from `state`, if it has begun; its film must have the image's size. The worker must
+  // outlive this object. Throws std::system_error.
+  ImageRender(WorkerProcess& worker, const RenderSettings& settings, RenderState state = {});
+
+  bool finished() const { return pathmark::finished(settings_, state_); }
+
+  // Asks the worker for about a second of work. Returns false if `onStatus` has ended it before:
+  // what there is of it is in image() only, and the next step makes it anew. Throws WorkerError.
+  bool step(const OnStatus& onStatus);
+
+  const RenderState& state() const { return state_; }
+  RenderState takeState() { return std::move(state_); }
+
+  // The newest picture, complete or not.
+  RenderedImage image() const;
+
+ private:
+  // What a step has made of its region before it was ended.
+  struct Remainder {
+    PixelRegion region;
+    std::vector<FilmPixel> film;
+    RenderResult made;
+    double seconds = 0.0;
+  };
+
+  std::span<FilmPixel> rowsOf(const PixelRegion& region);
+  std::vector<FilmPixel> checkedRows(const RenderJob& job, const RenderResult& made, bool whole);
+
+  WorkerProcess& worker_;
+  RenderSettings settings_;
+  RenderState state_;
+  double fractionBefore_, secondsBefore_;
+  SharedFilm film_;
+  double pixelPasses_;  // that about a second's work has
+  std::optional<Remainder> remainder_;
+};
+
+// Throws WorkerError.
 RenderedImage renderImage(WorkerProcess& worker, const RenderSettings& settings,
-                          const std::function<bool(const RenderStatus&)>& onStatus);
+                          const OnStatus& onStatus);
 
 }  // namespace pathmark

@@ -22,12 +22,6 @@ namespace {
 const fs::path kProjectFolder{build::kProjectFolder};
 constexpr const char* kSceneFolders[] = {"scenes", "student/scenes"};
 
-std::string courseworkName(const std::string& with, const fs::path& folder) {
-  if (with == "student" || with == "solutions") return with;
-  const fs::path normal = fs::absolute(folder).lexically_normal();
-  return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
-}
-
 }  // namespace
 
 fs::path findCoursework(const std::string& with) {
@@ -40,12 +34,18 @@ fs::path findCoursework(const std::string& with) {
                   with, displayPath(folder), solved ? ", solutions" : ""));
 }
 
+std::string courseworkName(const std::string& with) {
+  if (with == "student" || with == "solutions") return with;
+  const fs::path normal = fs::absolute(with).lexically_normal();
+  return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
+}
+
 Coursework prepareCoursework(const std::string& with) {
   const fs::path folder = findCoursework(with);
   const CourseworkBuild build = buildCoursework(folder);
   if (build.worker.empty()) throw CourseworkError(build.failure());
   for (const PartBuild& part : build.parts) std::fputs(part.messages.c_str(), stderr);
-  return {courseworkName(with, folder), folder, build.worker};
+  return {courseworkName(with), folder, build.worker};
 }
 
 std::vector<std::string> sceneNames() {
@@ -76,8 +76,23 @@ fs::path findScene(const std::string& scene) {
                   fmt::join(names, ", "), didYouMean(scene, views)));
 }
 
+RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options) {
+  RenderSettings settings;
+  settings.width = static_cast<int>(scene.flat.camera.width);
+  settings.height = static_cast<int>(scene.flat.camera.height);
+  settings.raysPerPixel = options.raysPerPixel;
+  settings.replicates = options.replicates;
+  settings.threads =
+      options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  settings.threads = std::min<std::uint32_t>(settings.threads, kMaxThreads);
+  settings.seed = options.seed;
+  settings.estimator = options.warmUp ? Estimator::kWarmUp : Estimator::kPath;
+  return settings;
+}
+
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
-                          const RenderOptions& options) {
+                          const RenderOptions& options, RenderState state,
+                          const AfterStep& afterStep) {
   ProgressBar bar(fmt::format("{}, {}", scene.name, coursework.name));
   WorkerProcess::Options worker;
   worker.program = coursework.worker;
@@ -89,19 +104,16 @@ RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene
   RenderOutcome outcome;
   outcome.stubs = makeStubReport(process.stubs());
   process.loadScene(scene.flat);
-  RenderSettings settings;
-  settings.width = static_cast<int>(scene.flat.camera.width);
-  settings.height = static_cast<int>(scene.flat.camera.height);
-  settings.raysPerPixel = options.raysPerPixel;
-  settings.threads =
-      options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  settings.threads = std::min<std::uint32_t>(settings.threads, kMaxThreads);
-  settings.seed = options.seed;
-  settings.estimator = options.warmUp ? Estimator::kWarmUp : Estimator::kPath;
-  outcome.rendered = renderImage(process, settings, [&](const RenderStatus& status) {
+  ImageRender render(process, settingsFor(scene, options), std::move(state));
+  const auto show = [&](const RenderStatus& status) {
     bar.show(status);
     return !interrupted();
-  });
+  };
+  while (!render.finished() && render.step(show))
+    if (afterStep)
+      if (const std::string line = afterStep(render.state()); !line.empty()) bar.printAbove(line);
+  outcome.rendered = render.image();
+  outcome.state = render.takeState();
   return outcome;
 }
 

@@ -7,6 +7,7 @@
 #include "scene/load_scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ struct Coursework {
 // The folder meant by --with. Throws UsageError if there is none.
 std::filesystem::path findCoursework(const std::string& with);
 
+// How it is called in messages and file names.
+std::string courseworkName(const std::string& with);
+
 // Compiles and links; prints the compiler's warnings to standard error. Throws UsageError and
 // CourseworkError.
 Coursework prepareCoursework(const std::string& with);
@@ -46,20 +50,28 @@ std::vector<std::string> sceneNames();
 
 struct RenderOptions {
   std::uint64_t raysPerPixel = 64;
+  std::uint32_t replicates = 1;
   std::uint32_t threads = 0;  // 0: one for each processor
   std::uint64_t seed = 0;
   bool warmUp = false;
   double secondsWithoutAnswer = 10.0;
 };
 
+RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options);
+
 struct RenderOutcome {
   RenderedImage rendered;
+  RenderState state;
   StubReport stubs;
 };
 
-// Renders with a progress bar. Throws WorkerError.
+// Called after each step; returns a line to show, or nothing.
+using AfterStep = std::function<std::string(const RenderState&)>;
+
+// Renders with a progress bar, from `state` on if it has begun. Throws WorkerError.
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
-                          const RenderOptions& options);
+                          const RenderOptions& options, RenderState state = {},
+                          const AfterStep& afterStep = {});
 
 // A sentence about values that are no radiance; empty if there are none.
 std::string invalidSentence(const RenderedImage& image, bool warmUp);

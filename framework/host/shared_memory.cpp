@@ -70,4 +70,9 @@ std::span<const FilmPixel> SharedFilm::pixels() const {
           static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)};
 }
 
+std::span<FilmPixel> SharedFilm::pixels() {
+  return {reinterpret_cast<FilmPixel*>(memory_ + kFilmOffset),
+          static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)};
+}
+
 }  // namespace pathmark

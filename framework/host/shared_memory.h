@@ -50,6 +50,7 @@ class SharedFilm {
   std::size_t bytes() const { return bytes_; }
   ProgressBoard& board() const;
   std::span<const FilmPixel> pixels() const;
+  std::span<FilmPixel> pixels();
 
  private:
   int width_, height_;

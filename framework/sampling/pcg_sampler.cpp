@@ -1,20 +1,8 @@
 #include "sampling/pcg_sampler.h"
 
+#include "sampling/mix.h"
+
 namespace pathmark {
-
-namespace {
-
-// A bijective mix of 64 bits: the finaliser of SplitMix64 (Steele, Lea & Flood 2014; Stafford's
-// variant 13).
-std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
-constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ull;
-
-}  // namespace
 
 void PcgSampler::startPixel(int i, int j, std::uint64_t raysBefore) {
   const auto column = static_cast<std::uint32_t>(i), row = static_cast<std::uint32_t>(j);
