@@ -1,9 +1,8 @@
 // pathmark render: one picture of one scene.
-#include "film/image_file.h"
 #include "host/commands.h"
-#include "host/exit_code.h"
 #include "host/options.h"
-#include "host/session.h"
+#include "host/output_check.h"
+#include "host/render_picture.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -25,7 +24,7 @@ struct RenderArguments {
   std::string output;
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
-  RenderOptions options;
+  PictureRequest picture;
 };
 
 std::array<int, 2> parseSize(const std::string& text) {
@@ -49,20 +48,6 @@ void refuseLargeImages(const LoadedScene& scene) {
                                  camera.width, camera.height, kMostPixels));
 }
 
-// What can be known before the work begins must not cost a picture afterwards.
-void refuseOutput(const std::filesystem::path& output) {
-  std::string why;
-  if (!imageFormatKnown(output, why)) throw UsageError(why);
-  if (std::filesystem::is_directory(output))
-    throw UsageError(
-        fmt::format("--output {}: this is a folder, and a file is needed.", output.string()));
-  const std::filesystem::path folder =
-      output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder))
-    throw UsageError(
-        fmt::format("--output {}: there is no folder {}.", output.string(), folder.string()));
-}
-
 void noteSpheres(const LoadedScene& scene) {
   if (scene.flat.spheres.empty()) return;
   const bool onlySpheresShine = scene.flat.faces.empty();
@@ -73,12 +58,22 @@ void noteSpheres(const LoadedScene& scene) {
              onlySpheresShine ? ", and with them all light" : "");
 }
 
-// Part 0 stands alone, and the other parts do without it.
-std::vector<FunctionContract> missingFor(bool warmUp, const StubReport& stubs) {
-  std::vector<FunctionContract> missing;
-  for (const FunctionContract& f : stubs.unwritten)
-    if ((f.part == 0) == warmUp) missing.push_back(f);
-  return missing;
+// The replicates are to have the same number of rays.
+void refuseUnequalReplicates(const RenderOptions& options) {
+  const std::uint64_t rays = options.raysPerPixel, replicates = options.replicates;
+  if (rays % replicates == 0) return;
+  const std::uint64_t above = (rays / replicates + 1) * replicates, below = above - replicates;
+  throw UsageError(fmt::format(
+      "--replicates {}: {} rays per pixel cannot be parted into so many equal groups; {} can.",
+      replicates, rays,
+      below == 0 ? fmt::format("{}", above) : fmt::format("{} and {}", below, above)));
+}
+
+void noteVariance(const std::filesystem::path& output, const RenderOptions& options) {
+  if (options.replicates > 1 && output.extension() != ".exr")
+    fmt::print(stderr,
+               "{} will not have the variance between the replicates: only .exr files do.\n",
+               output.string());
 }
 
 int render(RenderArguments& arguments) {
@@ -87,38 +82,37 @@ int render(RenderArguments& arguments) {
   if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
   const LoadedScene scene = loadScene(findScene(arguments.scene), overrides);
   for (const std::string& note : scene.notes) fmt::print(stderr, "{}\n", note);
-  arguments.options.raysPerPixel = static_cast<std::uint64_t>(
+  RenderOptions& options = arguments.picture.options;
+  options.raysPerPixel = static_cast<std::uint64_t>(
       arguments.raysPerPixel > 0 ? arguments.raysPerPixel : scene.raysPerPixel);
   refuseLargeImages(scene);
-  if (!arguments.output.empty()) refuseOutput(arguments.output);
-  if (arguments.options.warmUp) noteSpheres(scene);
+  refuseUnequalReplicates(options);
+  if (arguments.output.empty())
+    arguments.output = fmt::format("{}_{}.png", scene.name, courseworkName(arguments.with));
+  arguments.picture.output = arguments.output;
+  refuseOutput(arguments.output, settingsFor(scene, options).pixels());
+  noteVariance(arguments.output, options);
+  if (options.warmUp) noteSpheres(scene);
+  return renderPicture(prepareCoursework(arguments.with), scene, arguments.picture);
+}
 
-  const Coursework coursework = prepareCoursework(arguments.with);
-  const std::string output = !arguments.output.empty()
-                                 ? arguments.output
-                                 : fmt::format("{}_{}.png", scene.name, coursework.name);
-  const RenderOutcome outcome = renderScene(coursework, scene, arguments.options);
-  const RenderedImage& rendered = outcome.rendered;
-  writeImage(output, rendered.image, scene.exposure);
-
-  const std::string raysMade =
-      fmt::format("{:.{}f}", rendered.raysPerPixel, rendered.complete ? 0 : 1);
-  fmt::print("{}: {}x{}, {} rays per pixel, {:.2f} s, {:.1f} Mrays/s, with {}\n", output,
-             rendered.image.width, rendered.image.height, raysMade, rendered.seconds,
-             static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6, coursework.name);
-  const std::vector<FunctionContract> missing = missingFor(arguments.options.warmUp, outcome.stubs);
-  if (!missing.empty()) fmt::print("Not written yet: {}.\n", listOfNames(missing));
-  if (const std::string sentence = invalidSentence(rendered, arguments.options.warmUp);
-      !sentence.empty()) {
-    fmt::print(stderr, "{}\n", sentence);
-    return kCourseworkFault;
-  }
-  if (!rendered.complete) {
-    fmt::print(stderr, "Interrupted: the picture has {} of {} rays per pixel.\n", raysMade,
-               arguments.options.raysPerPixel);
-    return kInterrupted;
-  }
-  return kSuccess;
+void addLongRenderOptions(CLI::App& command, RenderArguments& arguments) {
+  CheckpointOptions& checkpoints = arguments.picture.checkpoints;
+  takesWholeNumber(
+      command.add_option("--replicates", arguments.picture.options.replicates,
+                         "Make the rays in so many independent groups, and tell the variance of "
+                         "every pixel by their differences; rays per pixel are a multiple of it"),
+      2, 1024);
+  takesSeconds(
+      command.add_option("--checkpoint-every", checkpoints.everySeconds,
+                         "Write OUTPUT.checkpoint that often, and on Ctrl-C, until the picture is "
+                         "complete (default: 60; 0: never)"),
+      0.0, 1e6);
+  command.add_flag("--resume", checkpoints.resume,
+                   "Go on from OUTPUT.checkpoint, to the same bits as without a break");
+  command.add_flag("--keep-checkpoint", checkpoints.keep,
+                   "Keep OUTPUT.checkpoint of a complete picture, to refine it with --resume and "
+                   "more rays per pixel");
 }
 
 }  // namespace
@@ -145,10 +139,10 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                           "Scattering events on a path: 1 is direct light, 8 is direct light and "
                           "seven bounces (default: the scene's)"),
       0, 1000);
-  takesWholeNumber(command->add_option("--threads", arguments->options.threads,
+  takesWholeNumber(command->add_option("--threads", arguments->picture.options.threads,
                                        "Render threads (default: one for each processor)"),
                    1, kMaxThreads);
-  takesWholeNumber(command->add_option("--seed", arguments->options.seed,
+  takesWholeNumber(command->add_option("--seed", arguments->picture.options.seed,
                                        "Seed of the random numbers (default: 0)"),
                    0, std::numeric_limits<std::int64_t>::max());
   command
@@ -156,20 +150,27 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                    "The file to write: .png to look at; .exr, which also keeps how it was made, .pfm "
                    "or .hdr to compute with (default: SCENE_COURSEWORK.png)")
       ->type_name("FILE");
-  command
-      ->add_option("--stop-after", arguments->options.secondsWithoutAnswer,
-                   "Stop coursework that gives no answer for this many seconds (default: 10)")
-      ->check(CLI::Range(0.1, 86400.0))
-      ->type_name("SECONDS");
-  command->add_flag("--warm-up", arguments->options.warmUp,
+  takesSeconds(command->add_option(
+                   "--stop-after", arguments->picture.options.secondsWithoutAnswer,
+                   "Stop coursework that gives no answer for this many seconds (default: 10)"),
+               0.1, 86400.0);
+  command->add_flag("--warm-up", arguments->picture.options.warmUp,
                     "Render with part 0's get_ray_radiance; spheres are left out");
+  addLongRenderOptions(*command, *arguments);
   command->footer(
       "Examples:\n"
       "  ./pathmark render ucl_rectangle\n"
       "  ./pathmark render cornell_box --with solutions --rays-per-pixel 256\n"
       "  ./pathmark render cornell_box --warm-up --size 128x128\n"
-      "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n\n"
-      "The same seed gives the same bits, for any number of threads.\n"
+      "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n"
+      "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png   (Ctrl-C)\n"
+      "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png --resume\n"
+      "  ./pathmark render cornell_box --rays-per-pixel 1024 --replicates 16\n\n"
+      "The same seed gives the same bits, for any number of threads and breaks. A checkpoint that "
+      "an\n"
+      "older render has left is never lost: without --resume it is replaced only by one that has "
+      "all\n"
+      "of its rays, or else renamed to OUTPUT.checkpoint.old.\n"
       "Exit code: 0 done, 1 the coursework is at fault, 2 the command line or the scene is,\n"
       "3 the machine is, 130 interrupted.");
   command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });

@@ -1,6 +1,7 @@
 // What several commands' options have in common.
 #pragma once
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -20,6 +21,18 @@ inline void takesWholeNumber(CLI::Option* option, std::int64_t low, std::int64_t
            std::to_string(high);
   };
   option->check(CLI::Validator(check, ""))->type_name("N");
+}
+
+// Accepts a number of seconds of this range. Shown as SECONDS in --help.
+inline void takesSeconds(CLI::Option* option, double low, double high) {
+  const auto check = [low, high](const std::string& text) -> std::string {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool number = error == std::errc{} && end == text.data() + text.size();
+    if (number && value >= low && value <= high) return {};
+    return fmt::format("found {}, allowed is a number of seconds from {} to {}", text, low, high);
+  };
+  option->check(CLI::Validator(check, ""))->type_name("SECONDS");
 }
 
 }  // namespace pathmark

@@ -1,0 +1,121 @@
+#include "host/render_picture.h"
+
+#include "film/image_file.h"
+#include "host/content_hash.h"
+#include "host/exit_code.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Of a worker's program: what it was compiled from, the framework's part included.
+std::string programHash(const fs::path& program) {
+  std::ifstream in(program, std::ios::binary);
+  return contentHash(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+CheckpointIdentity identityOf(const Coursework& coursework, const LoadedScene& scene,
+                              const RenderOptions& options) {
+  return {contentHash(packScene(scene.flat)), programHash(coursework.worker), scene.flat.maxBounces,
+          settingsFor(scene, options)};
+}
+
+ImageOrigin originOf(const Coursework& coursework, const LoadedScene& scene,
+                     const RenderOptions& options, const RenderedImage& rendered) {
+  const RenderSettings settings = settingsFor(scene, options);
+  ImageOrigin origin;
+  origin.scene = scene.name;
+  origin.sceneHash = contentHash(packScene(scene.flat));
+  origin.coursework = coursework.name;
+  origin.raysPerPixel = rendered.raysPerPixel;
+  origin.raysPerPass = settings.raysPerPass();
+  origin.replicates = settings.replicates;
+  origin.seed = settings.seed;
+  origin.seconds = rendered.seconds;
+  return origin;
+}
+
+RenderOutcome renderWithCheckpoints(const Coursework& coursework, const LoadedScene& scene,
+                                    const RenderOptions& options, CheckpointKeeper& keeper) {
+  RenderState state = keeper.begin();
+  try {
+    return renderScene(coursework, scene, options, std::move(state),
+                       [&](const RenderState& made) { return keeper.afterStep(made); });
+  } catch (const WorkerError&) {
+    fmt::print(stderr, "{}", keeper.whatIsLeft());
+    throw;
+  }
+}
+
+std::string raysMade(const RenderedImage& rendered) {
+  return fmt::format("{:.{}f}", rendered.raysPerPixel, rendered.complete ? 0 : 1);
+}
+
+// Part 0 stands alone, and the other parts do without it.
+std::vector<FunctionContract> missingFor(bool warmUp, const StubReport& stubs) {
+  std::vector<FunctionContract> missing;
+  for (const FunctionContract& f : stubs.unwritten)
+    if ((f.part == 0) == warmUp) missing.push_back(f);
+  return missing;
+}
+
+void printPicture(const fs::path& output, const Coursework& coursework,
+                  const RenderOutcome& outcome, bool warmUp) {
+  const RenderedImage& rendered = outcome.rendered;
+  fmt::print("{}: {}x{}, {} rays per pixel, {:.2f} s, {:.1f} Mrays/s, with {}\n", output.string(),
+             rendered.image.width, rendered.image.height, raysMade(rendered), rendered.seconds,
+             static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6, coursework.name);
+  const std::vector<FunctionContract> missing = missingFor(warmUp, outcome.stubs);
+  if (!missing.empty()) fmt::print("Not written yet: {}.\n", listOfNames(missing));
+  std::fflush(stdout);
+}
+
+// What is wrong with the picture, and how the render can be gone on with.
+int conclude(const RenderOutcome& outcome, const RenderOptions& options, CheckpointKeeper& keeper) {
+  const RenderedImage& rendered = outcome.rendered;
+  const std::string invalid = invalidSentence(rendered, options.warmUp);
+  if (!invalid.empty()) fmt::print(stderr, "{}\n", invalid);
+  if (!rendered.complete) {
+    fmt::print(stderr, "Interrupted: the picture has {} of {} rays per pixel.\n",
+               raysMade(rendered), options.raysPerPixel);
+    fmt::print(stderr, "{}", keeper.onInterrupt(outcome.state));
+  } else {
+    fmt::print(stderr, "{}", keeper.onFinish(outcome.state));
+  }
+  return !invalid.empty() ? kCourseworkFault : rendered.complete ? kSuccess : kInterrupted;
+}
+
+}  // namespace
+
+int renderPicture(const Coursework& coursework, const LoadedScene& scene,
+                  const PictureRequest& request) {
+  const RenderOptions& options = request.options;
+  CheckpointKeeper keeper(request.output, identityOf(coursework, scene, options),
+                          request.checkpoints);
+  const RenderOutcome outcome = renderWithCheckpoints(coursework, scene, options, keeper);
+  const RenderedImage& rendered = outcome.rendered;
+  if (!(rendered.raysPerPixel > 0.0)) {
+    fmt::print(stderr, "Interrupted before the first ray: no picture was written.\n");
+    return kInterrupted;
+  }
+  try {
+    writeImage(request.output, rendered.image, scene.exposure,
+               originOf(coursework, scene, options, rendered));
+  } catch (const ImageError&) {
+    fmt::print(stderr, "{}", keeper.rescue(outcome.state));
+    throw;
+  }
+  printPicture(request.output, coursework, outcome, options.warmUp);
+  return conclude(outcome, options, keeper);
+}
+
+}  // namespace pathmark
