@@ -1,0 +1,12 @@
+// What can be known of an output file before the work for it begins.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace pathmark {
+
+// Throws UsageError with a sentence if `file`, the value of `option`, is a folder or lies in none.
+void requirePlaceForFile(std::string_view option, const std::filesystem::path& file);
+
+}  // namespace pathmark
