@@ -16,6 +16,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action);
 void addDemoCommand(CLI::App& app, CommandAction& action);
 void addCompareCommand(CLI::App& app, CommandAction& action);
 void addStatusCommand(CLI::App& app, CommandAction& action);
+void addContactSheetCommand(CLI::App& app, CommandAction& action);
 void addMeshCommand(CLI::App& app, CommandAction& action);
 void addBuildCommand(CLI::App& app, CommandAction& action);
 

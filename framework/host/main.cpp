@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   addStatusCommand(app, action);
   addRenderCommand(app, action);
   addCompareCommand(app, action);
+  addContactSheetCommand(app, action);
   addMeshCommand(app, action);
   addBuildCommand(app, action);
   addScriptCommand(app, "clean", "Remove the build folder",

@@ -1,0 +1,191 @@
+// pathmark contact-sheet: many scenes on one picture.
+#include "film/contact_sheet.h"
+#include "film/image_file.h"
+#include "host/blob_file.h"
+#include "host/build_config.h"
+#include "host/commands.h"
+#include "host/exit_code.h"
+#include "host/interrupt.h"
+#include "host/options.h"
+#include "host/output_file.h"
+#include "host/session.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct SheetArguments {
+  std::vector<std::string> scenes;
+  std::string with;
+  std::uint64_t raysPerPixel = 256;
+  int thumbnail = 160;
+  std::string output = "contact_sheet.png";
+};
+
+// A student kit has no solutions.
+std::string defaultCoursework() {
+  return fs::exists(fs::path(build::kProjectFolder) / "solutions") ? "solutions" : "student";
+}
+
+std::vector<fs::path> shippedScenes() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(fs::path(build::kProjectFolder) / "scenes"))
+    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<fs::path> findScenes(const std::vector<std::string>& scenes) {
+  if (scenes.empty()) return shippedScenes();
+  std::vector<fs::path> files;
+  files.reserve(scenes.size());
+  for (const std::string& scene : scenes) files.push_back(findScene(scene));
+  return files;
+}
+
+void refuseOutput(const SheetArguments& arguments, std::size_t scenes) {
+  const fs::path file = arguments.output;
+  if (file.extension() != ".png")
+    throw UsageError(fmt::format("--output {}: a contact sheet is a .png file.", file.string()));
+  requirePlaceForFile("--output", file);
+  // A pixel takes 12 bytes while it is drawn.
+  constexpr double kMostPixels = 0x1p26;
+  if (static_cast<double>(scenes) * arguments.thumbnail * arguments.thumbnail > kMostPixels)
+    throw UsageError(
+        fmt::format("{} scenes of {} pixels do not fit on one sheet; a smaller --thumbnail helps.",
+                    scenes, arguments.thumbnail));
+}
+
+// The scene's own size is only known once it is read.
+LoadedScene loadThumbnail(const fs::path& file, int thumbnail) {
+  const FlatCamera camera = loadScene(file).flat.camera;
+  SceneOverrides overrides;
+  overrides.size =
+      thumbnailSize(static_cast<int>(camera.width), static_cast<int>(camera.height), thumbnail);
+  return loadScene(file, overrides);
+}
+
+// Fills the tile's picture, or its reason for having none; returns an exit code.
+int renderTile(const Coursework& coursework, const fs::path& file, const SheetArguments& arguments,
+               SheetTile& tile) {
+  const LoadedScene scene = loadThumbnail(file, arguments.thumbnail);
+  RenderOptions options;
+  options.raysPerPixel = arguments.raysPerPixel;
+  const RenderOutcome outcome = renderScene(coursework, scene, options);
+  const RenderedImage& rendered = outcome.rendered;
+  // Pixels that no ray has reached yet would look like pixels without a valid value.
+  if (!rendered.complete && !rendered.image.invalid.empty()) return kInterrupted;
+  tile.picture = rendered.image;
+  tile.exposure = scene.exposure;
+  fmt::print("{:<24} {:>9} {:>14.0f} {:>8.2f} {:>8.1f}\n", tile.label,
+             fmt::format("{}x{}", rendered.image.width, rendered.image.height),
+             rendered.raysPerPixel, rendered.seconds,
+             static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6);
+  std::fflush(stdout);
+  if (!rendered.complete) return kInterrupted;
+  const std::string sentence = invalidSentence(rendered, false);
+  if (sentence.empty()) return kSuccess;
+  fmt::print(stderr, "{}: {}\n", tile.label, sentence);
+  return kCourseworkFault;
+}
+
+// A scene that fails costs its own tile only.
+int renderOrExplain(const Coursework& coursework, const fs::path& file,
+                    const SheetArguments& arguments, SheetTile& tile) {
+  try {
+    if (needsShippedBlobFile(file) && makeShippedBlobFile())
+      fmt::print(stderr, "The mesh of the scene blob was made.\n");
+    return renderTile(coursework, file, arguments, tile);
+  } catch (const SceneError& e) {
+    tile.reason = "does not load";
+    fmt::print(stderr, "{}\n", e.what());
+    return kUsageFault;
+  } catch (const WorkerError& e) {
+    tile.reason = "coursework failed";
+    fmt::print(stderr, "{}: {}\n", tile.label, e.what());
+    return kCourseworkFault;
+  }
+}
+
+std::vector<SheetTile> emptyTiles(const std::vector<fs::path>& files) {
+  std::vector<SheetTile> tiles;
+  for (std::string& label : sheetLabels(files))
+    tiles.push_back({.label = std::move(label), .reason = "not rendered"});
+  return tiles;
+}
+
+int contactSheet(const SheetArguments& arguments) {
+  const std::vector<fs::path> files = findScenes(arguments.scenes);
+  refuseOutput(arguments, files.size());
+  const Coursework coursework =
+      prepareCoursework(arguments.with.empty() ? defaultCoursework() : arguments.with);
+  fmt::print("{:<24} {:>9} {:>14} {:>8} {:>8}\n", "scene", "pixels", "rays per pixel", "seconds",
+             "Mrays/s");
+  std::fflush(stdout);
+  std::vector<SheetTile> tiles = emptyTiles(files);
+  int code = kSuccess;
+  for (std::size_t k = 0; k < files.size() && !interrupted(); ++k)
+    code = std::max(code, renderOrExplain(coursework, files[k], arguments, tiles[k]));
+  if (interrupted()) code = kInterrupted;
+
+  const Image sheet = drawContactSheet(tiles, arguments.thumbnail);
+  writeImage(arguments.output, sheet, 1.0);
+  const auto shown =
+      std::count_if(tiles.begin(), tiles.end(), [](const auto& t) { return t.picture; });
+  fmt::print("\n{}: {}x{}, {} of {} scenes, with {}\n", arguments.output, sheet.width, sheet.height,
+             shown, tiles.size(), coursework.name);
+  return code;
+}
+
+}  // namespace
+
+void addContactSheetCommand(CLI::App& app, CommandAction& action) {
+  const auto arguments = std::make_shared<SheetArguments>();
+  CLI::App* command =
+      app.add_subcommand("contact-sheet", "Render many scenes as small pictures on one");
+  command
+      ->add_option("SCENE", arguments->scenes,
+                   "Scenes' names in scenes/ or student/scenes/, or .json files (default: all of "
+                   "scenes/)")
+      ->type_name("");
+  command
+      ->add_option("--with", arguments->with,
+                   "Coursework: solutions (default where there are any), student, or a folder of "
+                   "part*.cpp files")
+      ->type_name("DIR");
+  takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
+                                       "Rays through each pixel (default: 256)"),
+                   1, 1000000000);
+  takesWholeNumber(command->add_option("--thumbnail", arguments->thumbnail,
+                                       "Longer side of each picture in pixels (default: 160)"),
+                   16, 1024);
+  command
+      ->add_option("--output", arguments->output,
+                   "The .png file to write (default: contact_sheet.png)")
+      ->type_name("FILE");
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark contact-sheet\n"
+      "  ./pathmark contact-sheet cornell_box furnace --with student --rays-per-pixel 16\n"
+      "  ./pathmark contact-sheet submissions/*/scenes/*.json --output part7.png\n\n"
+      "A scene that fails costs its own tile only. Ctrl-C writes what there is.\n"
+      "Exit code: 0 done, 1 the coursework is at fault, 2 the command line or a scene is,\n"
+      "3 the machine is, 130 interrupted.");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return contactSheet(*arguments); }; });
+}
+
+}  // namespace pathmark
