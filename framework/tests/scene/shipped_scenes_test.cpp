@@ -1,47 +1,36 @@
+#include "shipped_scenes.h"
 #include "scene/normalise.h"
-#include "scene_files.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
 #include <vector>
 
 namespace pathmark {
 namespace {
 
-const std::filesystem::path kRoot = PATHMARK_ROOT;
-
-std::vector<std::filesystem::path> sceneFiles(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  // A student kit has no solutions.
-  if (!std::filesystem::exists(folder)) return files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::filesystem::path& file = entry.path();
-    if (file.extension() == ".json" && file.stem().extension() != ".schema") files.push_back(file);
-  }
-  return files;
-}
-
-LoadedScene shipped(const std::string& name) {
-  return loadScene(kRoot / "scenes" / (name + ".json"));
-}
-
 std::size_t litFaces(const LoadedScene& scene) { return scene.flat.faces.size(); }
 
 TEST(ShippedScenes, AllLoadWithACaptionAndWithoutNotes) {
   const auto files = sceneFiles(kRoot / "scenes");
-  EXPECT_GE(files.size(), 6u);
+  EXPECT_GE(files.size(), 15u);
   for (const auto& file : files) {
     SCOPED_TRACE(file.string());
-    const LoadedScene scene = loadScene(file);
+    const LoadedScene scene = loadShipped(file);
     EXPECT_EQ(scene.name, file.stem().string());
     EXPECT_FALSE(scene.caption.empty());
     EXPECT_TRUE(scene.notes.empty());
     EXPECT_FALSE(scene.flat.lights.empty());
+    for (const FlatLight& light : scene.flat.lights) EXPECT_GT(powerOf(scene.flat, light), 0.0);
   }
 }
 
 TEST(ShippedScenes, KeepTheCoordinatesOfTheirFile) {
   for (const auto& file : sceneFiles(kRoot / "scenes")) {
-    EXPECT_TRUE(isIdentity(loadScene(file).normalisation)) << file;
+    EXPECT_TRUE(isIdentity(loadShipped(file).normalisation)) << file;
   }
 }
 
@@ -114,6 +103,136 @@ TEST(ShippedScenes, EverySurfaceOfTheFurnaceReflectsAndEmitsOneHalf) {
   }
   EXPECT_EQ(scene.flat.spheres[0].inward, 1u);
   EXPECT_EQ(scene.flat.spheres[1].inward, 0u);
+}
+
+TEST(ShippedScenes, CornellPhongHasOnePhongBallAndASphereLight) {
+  const FlatScene scene = shipped("cornell_phong").flat;
+  int phongSpheres = 0;
+  for (const FlatSphere& sphere : scene.spheres) {
+    const FlatMaterial& material = scene.materials[scene.shapes[sphere.shape].material];
+    if (material.kind != FlatMaterialKind::kPhong) continue;
+    ++phongSpheres;
+    // The tint: red is reflected best, blue least.
+    EXPECT_GT(material.ks[0], material.ks[1]);
+    EXPECT_GT(material.ks[1], material.ks[2]);
+  }
+  EXPECT_EQ(phongSpheres, 1);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_NE(scene.lights[0].sphere, FlatLight::kNoSphere);
+}
+
+TEST(ShippedScenes, ManyLightsAreTwelveOfAllShapesAndOfVeryUnequalPower) {
+  const FlatScene scene = shipped("many_lights").flat;
+  ASSERT_EQ(scene.lights.size(), 12u);
+  std::vector<double> powers;
+  std::set<std::uint32_t> corners;
+  for (const FlatLight& light : scene.lights) {
+    powers.push_back(powerOf(scene, light));
+    corners.insert(light.sphere != FlatLight::kNoSphere ? 0
+                                                        : scene.faces[light.firstFace].vertexCount);
+  }
+  EXPECT_EQ(corners, (std::set<std::uint32_t>{0, 3, 4}));
+  std::sort(powers.begin(), powers.end());
+  EXPECT_GT(powers.back() / powers.front(), 100.0);
+  // The caption: the weaker six have a fifteenth of the power.
+  const double weak = std::accumulate(powers.begin(), powers.begin() + 6, 0.0);
+  const double all = std::accumulate(powers.begin(), powers.end(), 0.0);
+  EXPECT_NEAR(all / weak, 15.0, 0.5);
+}
+
+TEST(ShippedScenes, TheStarOfPolygonLightIsConcave) {
+  const FlatScene scene = shipped("polygon_light").flat;
+  for (const FlatFace& face : scene.faces) {
+    const auto vertex = [&](std::uint32_t k) {
+      return toDouble(scene.lightVertices[face.firstVertex + k % face.vertexCount]);
+    };
+    int left = 0, right = 0;
+    for (std::uint32_t k = 0; k < face.vertexCount; ++k) {
+      const glm::dvec3 turn = glm::cross(vertex(k + 1) - vertex(k), vertex(k + 2) - vertex(k + 1));
+      (glm::dot(turn, toDouble(face.normal)) > 0.0 ? left : right)++;
+    }
+    EXPECT_EQ(left, 5);
+    EXPECT_EQ(right, 5);
+  }
+}
+
+TEST(ShippedScenes, VeachsLightsHaveEqualPowerAndHisPlatesVeryUnequalExponents) {
+  const FlatScene scene = shipped("veach_plates").flat;
+  ASSERT_EQ(scene.lights.size(), 4u);
+  for (const FlatLight& light : scene.lights) {
+    ASSERT_NE(light.sphere, FlatLight::kNoSphere);
+    EXPECT_NEAR(powerOf(scene, light), powerOf(scene, scene.lights[0]), 1e-3);
+  }
+  std::set<float> exponents;
+  for (const FlatMaterial& material : scene.materials)
+    if (material.kind == FlatMaterialKind::kPhong) exponents.insert(material.exponent);
+  EXPECT_EQ(exponents, (std::set<float>{30.0f, 300.0f, 3000.0f, 30000.0f}));
+}
+
+// The mirror direction at each plate's centre leads from the eye to the row of lights.
+TEST(ShippedScenes, VeachsPlatesMirrorTheLightsToTheEye) {
+  const FlatScene scene = shipped("veach_plates").flat;
+  const glm::dvec3 eye = toDouble(scene.camera.eye);
+  int halves = 0;
+  for (const FlatTriangle& t : scene.triangles) {
+    if (scene.materials[scene.shapes[t.shape].material].kind != FlatMaterialKind::kPhong) continue;
+    ++halves;
+    const glm::dvec3 a = toDouble(scene.vertices[t.vertex[0]]),
+                     b = toDouble(scene.vertices[t.vertex[1]]),
+                     c = toDouble(scene.vertices[t.vertex[2]]);
+    const glm::dvec3 n = glm::normalize(glm::cross(b - a, c - a));
+    // Both halves of a rectangle share the diagonal from the first corner to the third.
+    const glm::dvec3 centre = std::abs((a.x + c.x) / 2.0) < 1e-6 ? (a + c) / 2.0 : (a + b) / 2.0;
+    const glm::dvec3 toLight = glm::reflect(glm::normalize(centre - eye), n);
+    EXPECT_LT(glm::length(glm::cross(toLight, -centre)), 0.01);
+  }
+  EXPECT_EQ(halves, 8);
+}
+
+// From the camera, all that faces it is white: the painted sides are those of the fins that look
+// away from the eye.
+TEST(ShippedScenes, NoColourOfTheHiddenColoursFacesTheEye) {
+  const FlatScene scene = shipped("diy_hidden_colours").flat;
+  const glm::dvec3 eye = toDouble(scene.camera.eye);
+  int painted = 0;
+  for (const FlatTriangle& t : scene.triangles) {
+    const FlatShape& shape = scene.shapes[t.shape];
+    const Float3& kd = scene.materials[shape.material].kd;
+    if (kd[0] == kd[1] && kd[1] == kd[2]) continue;
+    ++painted;
+    const glm::dvec3 a = toDouble(scene.vertices[t.vertex[0]]),
+                     b = toDouble(scene.vertices[t.vertex[1]]),
+                     c = toDouble(scene.vertices[t.vertex[2]]);
+    EXPECT_LT(glm::dot(glm::cross(b - a, c - a), eye - a), 0.0);
+  }
+  EXPECT_EQ(painted, 10);
+}
+
+TEST(ShippedScenes, TheCausticIsThrownByPhongAndLitByOneSmallLamp) {
+  const FlatScene scene = shipped("diy_caustic").flat;
+  ASSERT_EQ(scene.lights.size(), 1u);
+  std::size_t phong = 0;
+  for (const FlatTriangle& t : scene.triangles)
+    phong += scene.materials[scene.shapes[t.shape].material].kind == FlatMaterialKind::kPhong;
+  EXPECT_EQ(phong, 80u);
+}
+
+TEST(ShippedScenes, TheLampBehindTheDoorIsInTheOtherRoom) {
+  const FlatScene scene = shipped("diy_door_ajar").flat;
+  ASSERT_EQ(scene.lights.size(), 1u);
+  ASSERT_NE(scene.lights[0].sphere, FlatLight::kNoSphere);
+  const FlatSphere& lamp = scene.spheres[scene.lights[0].sphere];
+  EXPECT_LT(lamp.centre[2] + lamp.radius, -2.12f);
+  EXPECT_GT(scene.camera.eye[2], -2.0f);
+}
+
+TEST(ShippedScenes, TheBlobIsAFloorALightAndItsMesh) {
+  const FlatScene scene = shipped("blob").flat;
+  constexpr int kTriangles = 8 * BlobFolder::kSubdivisions * BlobFolder::kSubdivisions;
+  EXPECT_EQ(scene.shapes.size(), 3u);
+  EXPECT_EQ(scene.triangles.size(), static_cast<std::size_t>(kTriangles) + 4);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].emission, (Float3{10.0f, 10.0f, 10.0f}));
 }
 
 }  // namespace
