@@ -24,12 +24,15 @@ constexpr int kSide = 64, kBlock = 8;
 // few paths that it sends another way.
 constexpr double kTolerance = 1e-3;
 
-// A student's own scenes are theirs to break.
+// A student's own scenes are theirs to break. The mesh of the blob is not shipped. The examples of
+// part 7 show noise: in them a single path that rounding sends another way can be seen.
+bool isComparable(const std::string& name) { return name != "blob" && !name.starts_with("diy_"); }
+
 std::vector<std::string> shippedScenes() {
   std::vector<std::string> names;
   for (const std::string& name : sceneNames()) {
     const auto file = std::filesystem::path(build::kProjectFolder) / "scenes" / (name + ".json");
-    if (std::filesystem::exists(file)) names.push_back(name);
+    if (isComparable(name) && std::filesystem::exists(file)) names.push_back(name);
   }
   return names;
 }
