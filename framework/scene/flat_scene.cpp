@@ -23,9 +23,9 @@ struct alignas(kAlignment) Header {
   std::uint32_t maxBounces = 0;
   std::array<std::uint32_t, kArrays> counts{};
   FlatCamera camera;
-  std::array<std::uint32_t, 3> unused{};  // no padding: equal scenes are equal bytes
+  std::array<std::uint32_t, 2> unused{};  // no padding: equal scenes are equal bytes
 };
-static_assert(sizeof(Header) == 60 + sizeof(FlatCamera) + 12);
+static_assert(sizeof(Header) == 28 + 4 * kArrays + sizeof(FlatCamera) + 8);
 
 // The arrays of a FlatScene or of a FlatSceneView, always in the same order.
 template <typename Scene, typename Visit>
