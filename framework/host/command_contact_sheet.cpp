@@ -39,18 +39,10 @@ std::string defaultCoursework() {
   return fs::exists(fs::path(build::kProjectFolder) / "solutions") ? "solutions" : "student";
 }
 
-std::vector<fs::path> shippedScenes() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(build::kProjectFolder) / "scenes"))
-    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 std::vector<fs::path> findScenes(const std::vector<std::string>& scenes) {
-  if (scenes.empty()) return shippedScenes();
   std::vector<fs::path> files;
+  if (scenes.empty())
+    for (const std::string& name : shippedSceneNames()) files.push_back(shippedSceneFile(name));
   files.reserve(scenes.size());
   for (const std::string& scene : scenes) files.push_back(findScene(scene));
   return files;

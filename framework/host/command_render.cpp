@@ -146,9 +146,10 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                                        "Seed of the random numbers (default: 0)"),
                    0, std::numeric_limits<std::int64_t>::max());
   command
-      ->add_option("--output", arguments->output,
-                   "The file to write: .png to look at; .exr, which also keeps how it was made, .pfm "
-                   "or .hdr to compute with (default: SCENE_COURSEWORK.png)")
+      ->add_option(
+          "--output", arguments->output,
+          "The file to write: .png to look at; .exr, which also keeps how it was made, .pfm "
+          "or .hdr to compute with (default: SCENE_COURSEWORK.png)")
       ->type_name("FILE");
   takesSeconds(command->add_option(
                    "--stop-after", arguments->picture.options.secondsWithoutAnswer,

@@ -18,6 +18,7 @@ void addCompareCommand(CLI::App& app, CommandAction& action);
 void addStatusCommand(CLI::App& app, CommandAction& action);
 void addContactSheetCommand(CLI::App& app, CommandAction& action);
 void addMeshCommand(CLI::App& app, CommandAction& action);
+void addReferenceCommand(CLI::App& app, CommandAction& action);
 void addBuildCommand(CLI::App& app, CommandAction& action);
 
 }  // namespace pathmark

@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
   addCompareCommand(app, action);
   addContactSheetCommand(app, action);
   addMeshCommand(app, action);
+  addReferenceCommand(app, action);
   addBuildCommand(app, action);
   addScriptCommand(app, "clean", "Remove the build folder",
                    "Examples:\n"

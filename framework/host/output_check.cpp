@@ -2,6 +2,7 @@
 
 #include "film/atomic_file.h"
 #include "film/image_file.h"
+#include "host/output_file.h"
 #include "host/session.h"
 
 #include <fmt/format.h>
@@ -42,13 +43,8 @@ void refuseFullFileSystem(const fs::path& output, const fs::path& folder, std::u
 void refuseOutput(const fs::path& output, std::uint64_t pixels) {
   std::string why;
   if (!imageFormatKnown(output, why)) throw UsageError(why);
-  if (fs::is_directory(output))
-    throw UsageError(
-        fmt::format("--output {}: this is a folder, and a file is needed.", output.string()));
+  requirePlaceForFile("--output", output);
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder))
-    throw UsageError(
-        fmt::format("--output {}: there is no folder {}.", output.string(), folder.string()));
   refuseFullFileSystem(output, folder, fewestBytes(output, pixels));
   tryToWriteBeside(output);
 }

@@ -22,6 +22,13 @@ namespace {
 const fs::path kProjectFolder{build::kProjectFolder};
 constexpr const char* kSceneFolders[] = {"scenes", "student/scenes"};
 
+void addSceneNames(const fs::path& folder, std::vector<std::string>& names) {
+  if (!fs::is_directory(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
+      names.push_back(entry.path().stem().string());
+}
+
 }  // namespace
 
 fs::path findCoursework(const std::string& with) {
@@ -50,15 +57,20 @@ Coursework prepareCoursework(const std::string& with) {
 
 std::vector<std::string> sceneNames() {
   std::vector<std::string> names;
-  for (const char* folder : kSceneFolders) {
-    const fs::path path = kProjectFolder / folder;
-    if (!fs::is_directory(path)) continue;
-    for (const auto& entry : fs::directory_iterator(path))
-      if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
-        names.push_back(entry.path().stem().string());
-  }
+  for (const char* folder : kSceneFolders) addSceneNames(kProjectFolder / folder, names);
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::vector<std::string> shippedSceneNames() {
+  std::vector<std::string> names;
+  addSceneNames(kProjectFolder / kSceneFolders[0], names);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path shippedSceneFile(const std::string& name) {
+  return kProjectFolder / kSceneFolders[0] / (name + ".json");
 }
 
 fs::path findScene(const std::string& scene) {

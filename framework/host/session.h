@@ -48,6 +48,12 @@ std::filesystem::path findScene(const std::string& scene);
 // The file names without ending in these folders, sorted.
 std::vector<std::string> sceneNames();
 
+// Those in scenes/ only.
+std::vector<std::string> shippedSceneNames();
+
+// Where a shipped scene of this name would be.
+std::filesystem::path shippedSceneFile(const std::string& name);
+
 struct RenderOptions {
   std::uint64_t raysPerPixel = 64;
   std::uint32_t replicates = 1;

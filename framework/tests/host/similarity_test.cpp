@@ -1,5 +1,5 @@
 // Shipped scenes in other units and at other places give the same image.
-#include "host/build_config.h"
+#include "host/blob_file.h"
 #include "host/session.h"
 #include "support/moved_scene.h"
 #include "support/test_coursework_files.h"
@@ -23,19 +23,6 @@ constexpr int kSide = 64, kBlock = 8;
 // The same random numbers are used at every place, so that images differ by rounding alone: by the
 // few paths that it sends another way.
 constexpr double kTolerance = 1e-3;
-
-// A student's own scenes are theirs to break. The mesh of the blob is not shipped. The examples of
-// part 7 show noise: in them a single path that rounding sends another way can be seen.
-bool isComparable(const std::string& name) { return name != "blob" && !name.starts_with("diy_"); }
-
-std::vector<std::string> shippedScenes() {
-  std::vector<std::string> names;
-  for (const std::string& name : sceneNames()) {
-    const auto file = std::filesystem::path(build::kProjectFolder) / "scenes" / (name + ".json");
-    if (isComparable(name) && std::filesystem::exists(file)) names.push_back(name);
-  }
-  return names;
-}
 
 Image render(const std::filesystem::path& scene) {
   SceneOverrides overrides;
@@ -61,26 +48,40 @@ std::vector<double> sums(const Image& image) {
   return result;
 }
 
-class Similar : public testing::TestWithParam<std::string> {};
+class Similar : public testing::TestWithParam<std::string> {
+ protected:
+  // The shipped scene elsewhere; the blob with fewer triangles, which are made faster.
+  Image renderAt(const Similarity& similarity) const {
+    TemporaryFolder folder;
+    std::ofstream(folder / "scene.json") << movedScene(shippedSceneFile(GetParam()), similarity);
+    if (needsShippedBlobFile(shippedSceneFile(GetParam()))) {
+      std::filesystem::create_directory(folder / "meshes");
+      writeBlobFile(folder / "meshes/blob.obj", 40);
+    }
+    return render(folder / "scene.json");
+  }
+};
 
 TEST_P(Similar, ImagesAtEveryScaleAndPlace) {
-  const std::filesystem::path file = findScene(GetParam());
-  const std::vector<double> original = sums(render(file));
-  for (const Similarity& similarity : {Similarity{1e-6, 0}, Similarity{1e6, 0}, Similarity{1, 1e4},
-                                       Similarity{1e-30, 1e4}, Similarity{1e30, -1e9}}) {
-    TemporaryFolder folder;
-    std::ofstream(folder / "scene.json") << movedScene(file, similarity);
-    const std::vector<double> moved = sums(render(folder / "scene.json"));
-    // A block that is almost black is judged by a thousandth of the mean block.
-    const double dark = 1e-3 * original.back() / static_cast<double>(original.size() - 1);
-    for (std::size_t i = 0; i < original.size(); ++i) {
+  const std::vector<double> original = sums(renderAt({1.0, 0.0}));
+  // A block that is almost black is judged by a thousandth of the mean block.
+  const double dark = 1e-3 * original.back() / static_cast<double>(original.size() - 1);
+  for (const Similarity& similarity : {Similarity{1e-6, 1e4}, Similarity{1e6, -1e4},
+                                       Similarity{1e-30, 0.0}, Similarity{1e30, -1e9}}) {
+    const std::vector<double> moved = sums(renderAt(similarity));
+    const auto expectNear = [&](std::size_t i) {
       EXPECT_NEAR(moved[i], original[i], kTolerance * std::max(original[i], dark))
           << "block " << i << ", scale " << similarity.scale << ", shift " << similarity.shift;
-    }
+    };
+    expectNear(original.size() - 1);
+    // At a billion sizes from the origin a double keeps seven digits of the scene. Where a picture
+    // is meant to show noise, a single path that goes another way can then be seen in its block.
+    if (std::abs(similarity.shift) > 1e8 && GetParam().starts_with("diy_")) continue;
+    for (std::size_t i = 0; i + 1 < original.size(); ++i) expectNear(i);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Similar, testing::ValuesIn(shippedScenes()),
+INSTANTIATE_TEST_SUITE_P(Scenes, Similar, testing::ValuesIn(shippedSceneNames()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

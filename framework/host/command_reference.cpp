@@ -1,0 +1,161 @@
+// pathmark reference: images of the shipped scenes with little noise, to compare others with.
+#include "film/image_file.h"
+#include "film/noise_rounding.h"
+#include "film/own_error.h"
+#include "host/blob_file.h"
+#include "host/build_config.h"
+#include "host/commands.h"
+#include "host/display_path.h"
+#include "host/exit_code.h"
+#include "host/interrupt.h"
+#include "host/options.h"
+#include "host/reference.h"
+#include "host/render_picture.h"
+#include "host/session.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct ReferenceArguments {
+  std::vector<std::string> scenes;
+  std::uint64_t raysPerPixel = 4096;
+  std::uint32_t replicates = 16;
+  bool check = false;
+  bool again = false;
+};
+
+void printHead() {
+  fmt::print("{:<20} {:>9} {:>14} {:>10} {:>13} {:>8}\n", "scene", "pixels", "rays per pixel",
+             "mean, +- %", "pixels, +- %", "KB");
+}
+
+void printRow(const std::string& name, const ImageFile& file) {
+  const OwnError error = ownError(file.image);
+  fmt::print("{:<20} {:>9} {:>14} {:>10.3f} {:>13.2f} {:>8}\n", name,
+             fmt::format("{}x{}", file.image.width, file.image.height), file.origin.raysPerPixel,
+             100.0 * error.ofMean, 100.0 * error.ofPixels,
+             fs::file_size(referenceFile(name)) / 1024);
+  std::fflush(stdout);
+}
+
+LoadedScene load(const std::string& name) {
+  const fs::path file = shippedSceneFile(name);
+  if (!fs::exists(file)) {
+    throw UsageError(fmt::format("{} is no scene in scenes/: only those have references.", name));
+  }
+  if (needsShippedBlobFile(file)) makeShippedBlobFile();
+  return loadScene(file);
+}
+
+// Renders into the build folder, where an interrupted render is gone on with, and stores what is
+// not noise.
+int make(const Coursework& coursework, const LoadedScene& scene,
+         const ReferenceArguments& arguments) {
+  const fs::path folder = fs::path(build::kBuildFolder) / "references";
+  fs::create_directories(folder);
+  fs::create_directories(referenceFile(scene.name).parent_path());
+  PictureRequest request;
+  request.output = folder / (scene.name + ".exr");
+  request.options.raysPerPixel = arguments.raysPerPixel;
+  request.options.replicates = arguments.replicates;
+  request.checkpoints.resume = fs::exists(request.output.string() + ".checkpoint");
+  if (const int code = renderPicture(coursework, scene, request); code != kSuccess) return code;
+  const ImageFile made = readImage(request.output);
+  writeImage(referenceFile(scene.name), roundedToNoise(made.image), scene.exposure, made.origin);
+  return kSuccess;
+}
+
+// Whether there is a reference with as many rays.
+bool isUpToDate(const LoadedScene& scene, const ReferenceArguments& arguments) {
+  const std::optional<ImageFile> file = readReference(scene);
+  return file && !file->image.variance.empty() &&
+         file->origin.raysPerPixel >= static_cast<double>(arguments.raysPerPixel);
+}
+
+int makeAll(const ReferenceArguments& arguments) {
+  const Coursework coursework = prepareCoursework("solutions");
+  for (const std::string& name : arguments.scenes) {
+    const LoadedScene scene = load(name);
+    if (!arguments.again && isUpToDate(scene, arguments)) continue;
+    if (const int code = make(coursework, scene, arguments); code != kSuccess) return code;
+    if (interrupted()) return kInterrupted;
+  }
+  return kSuccess;
+}
+
+// The table. Returns whether every scene has a reference that fits it.
+bool printAll(const std::vector<std::string>& scenes) {
+  bool complete = true;
+  printHead();
+  for (const std::string& name : scenes) {
+    const std::optional<ImageFile> file = readReference(load(name));
+    const bool usable = file && !file->image.variance.empty();
+    complete = complete && usable;
+    if (usable) {
+      printRow(name, *file);
+    } else {
+      fmt::print("{:<20} has no reference that fits it\n", name);
+    }
+  }
+  return complete;
+}
+
+int reference(ReferenceArguments& arguments) {
+  if (arguments.raysPerPixel % arguments.replicates != 0) {
+    throw UsageError(fmt::format("--rays-per-pixel {}: it must be a multiple of the {} replicates.",
+                                 arguments.raysPerPixel, arguments.replicates));
+  }
+  if (arguments.scenes.empty()) arguments.scenes = shippedSceneNames();
+  if (!arguments.check) {
+    if (const int code = makeAll(arguments); code != kSuccess) return code;
+  }
+  if (printAll(arguments.scenes)) return kSuccess;
+  fmt::print(stderr, "./pathmark reference makes what is missing.\n");
+  return kUsageFault;
+}
+
+}  // namespace
+
+void addReferenceCommand(CLI::App& app, CommandAction& action) {
+  const auto arguments = std::make_shared<ReferenceArguments>();
+  CLI::App* command = app.add_subcommand(
+      "reference", "Make the reference images of the shipped scenes, with their own error");
+  command->add_option("SCENE", arguments->scenes, "Names of shipped scenes (default: all)")
+      ->type_name("");
+  takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
+                                       "Rays through each pixel (default: 4096)"),
+                   2, 1000000000);
+  takesWholeNumber(command->add_option("--replicates", arguments->replicates,
+                                       "Independent parts that the error is measured between "
+                                       "(default: 16)"),
+                   2, 1024);
+  command->add_flag("--check", arguments->check,
+                    "Make nothing; say which references there are and how good they are");
+  command->add_flag("--again", arguments->again, "Make also those that are there already");
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark reference\n"
+      "  ./pathmark reference --check\n"
+      "  ./pathmark reference cornell_box --rays-per-pixel 16384\n\n"
+      "With the solutions. References are in scenes/references; those that fit their scene and "
+      "have\n"
+      "as many rays are kept. An interrupted run is gone on with by the same command. The table\n"
+      "says, of each, the standard error of the image's mean and the root mean square of the\n"
+      "pixels' relative errors.");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return reference(*arguments); }; });
+}
+
+}  // namespace pathmark
