@@ -39,7 +39,7 @@ struct Header {
   double seconds = 0.0;
   InvalidPixels invalid;
 };
-static_assert(sizeof(Header) == 16 + 2 * kHashDigits + 16 + 7 * 8 + sizeof(InvalidPixels),
+static_assert(sizeof(Header) == 16 + 2 * kHashDigits + 16 + 56 + sizeof(InvalidPixels),
               "no padding: its bytes would be random");
 
 constexpr const char* kDamaged = "it is damaged";

@@ -18,7 +18,7 @@ namespace {
 // The first of FILE.old, FILE.old2, ... that is not there.
 fs::path freeName(const fs::path& file) {
   for (int k = 1;; ++k) {
-    const fs::path name = file.string() + (k == 1 ? ".old" : fmt::format(".old{}", k));
+    fs::path name = file.string() + (k == 1 ? ".old" : fmt::format(".old{}", k));
     std::error_code error;
     if (!fs::exists(fs::symlink_status(name, error))) return name;
   }

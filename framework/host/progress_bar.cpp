@@ -23,7 +23,7 @@ std::string timeLeft(const RenderStatus& status) {
   const auto seconds = static_cast<long>(left);
   if (seconds < 60) return fmt::format("{} s left", seconds);
   if (seconds < 3600) return fmt::format("{} min {:02} s left", seconds / 60, seconds % 60);
-  if (seconds < 48 * 3600)
+  if (seconds < 48L * 3600)
     return fmt::format("{} h {:02} min left", seconds / 3600, seconds / 60 % 60);
   return fmt::format("{} days {} h left", seconds / 86400, seconds / 3600 % 24);
 }

@@ -127,7 +127,7 @@ TEST(Replicates, StoredVarianceIsThatOfAClosedForm) {
   stratify(coursework);
   const auto worker = coursework.start();
   worker->loadScene(emptyScene(24, 24));
-  constexpr int kRays = 8, kReplicates = 8;
+  constexpr std::uint32_t kRays = 8, kReplicates = 8;
   stats::RunningMoments stored;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Image image = render(*worker, kRays * kReplicates, kReplicates, seed).image;
@@ -152,7 +152,7 @@ TEST(Replicates, StoredVarianceIsThatOfPicturesWithOtherSeeds) {
   const auto worker = coursework.start();
   worker->loadScene(emptyScene(24, 24));
   constexpr int kSeeds = 40;
-  std::vector<stats::RunningMoments> values(24 * 24), variances(24 * 24);
+  std::vector<stats::RunningMoments> values(576), variances(576);
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Image image = render(*worker, 30, 6, seed).image;
     for (std::size_t i = 0; i < values.size(); ++i) {

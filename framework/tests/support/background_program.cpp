@@ -24,6 +24,7 @@ BackgroundProgram::BackgroundProgram(const std::vector<std::string>& arguments,
                                      const std::filesystem::path& folder,
                                      const std::filesystem::path& log) {
   std::vector<char*> words;
+  words.reserve(arguments.size() + 1);
   for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
   words.push_back(nullptr);
   pid_ = fork();
