@@ -30,7 +30,7 @@ namespace {
 
 struct ReferenceArguments {
   std::vector<std::string> scenes;
-  std::uint64_t raysPerPixel = 4096;
+  std::uint64_t raysPerPixel = 1024;
   std::uint32_t replicates = 16;
   bool check = false;
   bool again = false;
@@ -135,7 +135,7 @@ void addReferenceCommand(CLI::App& app, CommandAction& action) {
   command->add_option("SCENE", arguments->scenes, "Names of shipped scenes (default: all)")
       ->type_name("");
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
-                                       "Rays through each pixel (default: 4096)"),
+                                       "Rays through each pixel (default: 1024)"),
                    2, 1000000000);
   takesWholeNumber(command->add_option("--replicates", arguments->replicates,
                                        "Independent parts that the error is measured between "

@@ -35,7 +35,8 @@ class Command : public testing::Test {
 };
 
 TEST_F(Command, EveryHelpCarriesExamples) {
-  for (const char* command : {"render", "compare", "demo", "status", "build", "test", "clean"})
+  for (const char* command : {"render", "compare", "contact-sheet", "mesh", "reference", "demo",
+                              "status", "build", "test", "clean"})
     expectSays(pathmark({command, "--help"}), 0, "Examples:");
   expectSays(pathmark({"--help"}), 0, "Examples:");
 }
@@ -101,6 +102,10 @@ TEST_F(Command, WrongCommandLinesAreSentencesAndExitCodeTwo) {
       {{"render", "Cornell-Box"}, "Did you mean \"cornell_box\"?"},
       {{"render", "furnace", "--with", "/no/such/folder"}, "there is no folder"},
       {{"build", "--with", "/no/such/folder"}, "there is no folder"},
+      {{"reference", "my_scene"}, "no scene in scenes/"},
+      {{"reference", "cornell_box", "--rays-per-pixel", "100"}, "multiple of the 16 replicates"},
+      {{"reference", "cornell_box", "--replicates", "1"}, "a whole number from 2"},
+      {{"reference", "--frob"}, "--frob was not expected"},
       {{"status", "--with", "/no/such/folder"}, "there is no folder"},
   };
   for (const auto& [arguments, words] : cases) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <numeric>
 
 namespace pathmark::test {
 namespace {
@@ -56,6 +57,57 @@ TEST(SolvedImage, AnEmptyFurnaceIsEvenWithoutNoise) {
 TEST(SolvedImage, AFurnaceWithASphereInItIsEvenInTheMean) {
   for (const int bounces : {1, 2, 8})
     expectMean(render(findScene("furnace"), bounces, 256), 1.0 - std::pow(0.5, bounces + 1));
+}
+
+// A lamp over a floor, in three ways: the choice of a face by area must not show.
+TEST(SolvedImage, ABoxOrAMeshThatShinesGivesTheLightOfItsFaces) {
+  TemporaryFolder folder;
+  const auto render = [&](const std::string& lamp) {
+    std::ofstream(folder / "scene.json") << fmt::format(
+        R"({{"camera": {{"eye": [0, 3, 4], "target": [0.4, 0, 0], "fieldOfView": 20}},
+            "materials": {{"grey": {{"type": "lambertian", "Kd": [0.6, 0.6, 0.6]}},
+                           "black": {{"type": "lambertian", "Kd": [0, 0, 0]}}}},
+            "shapes": [{{"type": "rectangle", "material": "grey",
+                         "vertices": [[-5, 0, 5], [5, 0, 5], [5, 0, -5], [-5, 0, -5]]}}, {}]}})",
+        lamp);
+    stats::RunningMoments images;
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+      const Image image = pathmark::test::render(folder / "scene.json", 1, 64, seed);
+      images.add(std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0) /
+                 static_cast<double>(image.rgb.size()));
+    }
+    return images;
+  };
+  // A tile that stands on its edge: its faces' areas are 0.08, 0.4 and 0.2 each.
+  const auto box = render(
+      R"({"type": "box", "material": "black", "emission": [3, 3, 3],
+          "low": [-0.5, 1, -0.1], "high": [0.5, 1.4, 0.1]})");
+  std::string faces;
+  for (const char* f : {"-0.5,1,-0.1],[-0.5,1,0.1],[-0.5,1.4,0.1],[-0.5,1.4,-0.1",
+                        "0.5,1,-0.1],[0.5,1.4,-0.1],[0.5,1.4,0.1],[0.5,1,0.1",
+                        "-0.5,1,-0.1],[0.5,1,-0.1],[0.5,1,0.1],[-0.5,1,0.1",
+                        "-0.5,1.4,-0.1],[-0.5,1.4,0.1],[0.5,1.4,0.1],[0.5,1.4,-0.1",
+                        "-0.5,1,-0.1],[-0.5,1.4,-0.1],[0.5,1.4,-0.1],[0.5,1,-0.1",
+                        "-0.5,1,0.1],[0.5,1,0.1],[0.5,1.4,0.1],[-0.5,1.4,0.1"})
+    faces += fmt::format(
+        R"({}{{"type": "rectangle", "material": "black", "emission": [3, 3, 3],
+              "vertices": [[{}]]}})",
+        faces.empty() ? "" : ",", f);
+  std::ofstream(folder / "lamp.obj")
+      << "v -5 10 -1\nv 5 10 -1\nv -5 14 -1\nv 5 14 -1\nv -5 10 1\nv 5 10 1\nv -5 14 1\nv 5 14 1\n"
+         "f 1 5 7 3\nf 2 4 8 6\nf 1 2 6 5\nf 3 7 8 4\nf 1 3 4 2\nf 5 6 8 7\n";
+  const auto mesh = render(
+      R"({"type": "mesh", "material": "black", "emission": [3, 3, 3], "file": "lamp.obj",
+          "transform": {"scale": 0.1}})");
+  const auto separate = render(faces);
+  stats::MeanTest settings;
+  settings.alpha = kFalseFail;
+  settings.tolerance = 1e-6 * separate.mean();
+  EXPECT_GT(separate.mean(), 100.0 * separate.standardError());
+  EXPECT_TRUE(stats::testMeans(box, separate, settings).pass)
+      << box.mean() << " instead of " << separate.mean();
+  EXPECT_TRUE(stats::testMeans(mesh, separate, settings).pass)
+      << mesh.mean() << " instead of " << separate.mean();
 }
 
 struct Placement {
