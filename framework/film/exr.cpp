@@ -2,6 +2,7 @@
 #include "film/image_formats.h"
 #include "film/image_limits.h"
 #include "film/noise_rounding.h"
+#include "film/printable.h"
 
 #include <fmt/format.h>
 
@@ -30,13 +31,14 @@ namespace {
 constexpr std::array<const char*, 3> kRadiance{"R", "G", "B"};
 constexpr std::array<const char*, 3> kVariance{"variance.R", "variance.G", "variance.B"};
 constexpr const char* kInvalid = "invalid";
+constexpr const char* kStreamName = "memory";
 
 // The library keeps a block of rows of all channels in memory.
 constexpr int kMostChannels = 64;
 
 class WritableMemory : public Imf::OStream {
  public:
-  explicit WritableMemory(std::string& bytes) : OStream("memory"), bytes_(bytes) {}
+  explicit WritableMemory(std::string& bytes) : OStream(kStreamName), bytes_(bytes) {}
 
   void write(const char* data, int size) override {
     const auto count = static_cast<std::size_t>(size);
@@ -54,7 +56,7 @@ class WritableMemory : public Imf::OStream {
 
 class ReadableMemory : public Imf::IStream {
  public:
-  explicit ReadableMemory(std::string_view bytes) : IStream("memory"), bytes_(bytes) {}
+  explicit ReadableMemory(std::string_view bytes) : IStream(kStreamName), bytes_(bytes) {}
 
   bool read(char* data, int size) override {
     if (size < 0 || at_ > bytes_.size() || static_cast<std::size_t>(size) > bytes_.size() - at_)
@@ -115,8 +117,8 @@ ImageOrigin originFrom(const Imf::Header& header) {
   origin.replicates = countFrom(header, "pathmark.replicates", origin.replicates);
   const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), origin.seed);
   if (error != std::errc{} || end != seed.data() + seed.size())
-    throw ImageError(
-        fmt::format("its pathmark.seed is \"{}\", and a whole number below 2^64 is needed.", seed));
+    throw ImageError(fmt::format(
+        "its pathmark.seed is \"{}\", and a whole number below 2^64 is needed.", printable(seed)));
   return origin;
 }
 
@@ -134,6 +136,15 @@ bool hasAll(const Imf::ChannelList& channels, const std::array<const char*, 3>& 
     const Imf::Channel* channel = channels.findChannel(name);
     return channel != nullptr && channel->xSampling == 1 && channel->ySampling == 1;
   });
+}
+
+// What the library says behind `Cannot read image file "memory". `, without the full stop.
+std::string libraryReason(std::string_view message) {
+  const std::string file = fmt::format("\"{}\". ", kStreamName);
+  const std::size_t at = message.rfind(file);
+  if (at != std::string_view::npos) message.remove_prefix(at + file.size());
+  if (message.ends_with('.')) message.remove_suffix(1);
+  return printable(message);
 }
 
 std::string namesOf(const Imf::ChannelList& channels) {
@@ -191,7 +202,7 @@ void refuseHeader(std::string_view bytes) {
   if (!hasAll(channels, kRadiance))
     throw ImageError(
         fmt::format("the channels of this EXR image are {}; needed are R, G and B in every pixel.",
-                    namesOf(channels)));
+                    printable(namesOf(channels))));
 }
 
 ImageFile readPixels(Imf::InputFile& file) {
@@ -266,7 +277,7 @@ ImageFile decodeExr(std::string_view bytes) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    throw ImageError(fmt::format("this EXR image is damaged ({})", e.what()));
+    throw ImageError(fmt::format("this EXR image is damaged: {}.", libraryReason(e.what())));
   }
 }
 

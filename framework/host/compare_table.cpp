@@ -1,3 +1,4 @@
+#include "film/printable.h"
 #include "host/compare_report.h"
 
 #include <fmt/format.h>
@@ -12,8 +13,8 @@ using Text = std::back_insert_iterator<std::string>;
 
 std::string originOf(const ImageOrigin& origin) {
   std::vector<std::string> parts;
-  if (!origin.scene.empty()) parts.push_back(origin.scene);
-  if (!origin.coursework.empty()) parts.push_back(origin.coursework);
+  if (!origin.scene.empty()) parts.push_back(printable(origin.scene));
+  if (!origin.coursework.empty()) parts.push_back(printable(origin.coursework));
   if (origin.raysPerPixel > 0.0)
     parts.push_back(fmt::format("{:.6g} rays per pixel in {} replicate{}, seed {}",
                                 origin.raysPerPixel, origin.replicates,

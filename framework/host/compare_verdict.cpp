@@ -1,3 +1,4 @@
+#include "film/printable.h"
 #include "host/compare_report.h"
 
 #include <fmt/format.h>
@@ -98,7 +99,7 @@ std::vector<std::string> compareNotes(const CompareReport& report) {
     notes.push_back(
         fmt::format("They are of different scenes: {} and {}, or another version, size "
                     "or number of bounces.",
-                    a.scene, b.scene));
+                    printable(a.scene), printable(b.scene)));
   const bool sameRays = !a.sceneHash.empty() && a.sceneHash == b.sceneHash && a.seed == b.seed;
   if (sameRays && comparison.replicates.any() && !comparison.equal)
     notes.push_back(fmt::format(

@@ -3,6 +3,7 @@
 
 namespace pathmark {
 
+// compare has its own: see command_compare.cpp.
 enum ExitCode : int {
   kSuccess = 0,
   kCourseworkFault = 1,  // does not compile, crashed, was stopped, or returned invalid values

@@ -216,7 +216,7 @@ TEST(Compare, WithinATheMeansOfTilesMayDiffer) {
 }
 
 TEST(Compare, DarkTilesAreHeldToTheMeanOfTheReference) {
-  Image image{16, 8, std::vector<float>(16 * 8 * 3, 0.0f)};
+  Image image{16, 8, std::vector<float>(384, 0.0f)};
   for (std::size_t i = 0; i < image.rgb.size(); ++i)
     if (i / 3 % 16 >= 8) image.rgb[i] = 1.0f;
   Image lit = image;

@@ -39,9 +39,9 @@ class DamagedImage : public ::testing::TestWithParam<std::string> {
     try {
       readImage(file());
     } catch (const ImageError& e) {
-      const std::string sentence = e.what();
+      std::string sentence = e.what();
       EXPECT_TRUE(sentence.starts_with(file().string() + ": ")) << sentence;
-      EXPECT_TRUE(sentence.ends_with(".") || sentence.ends_with(")")) << sentence;
+      EXPECT_TRUE(sentence.ends_with(".")) << sentence;
       EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
       return sentence;
     }
@@ -133,7 +133,6 @@ TEST_P(DamagedImage, HugeSizesAreRefusedBeforeAnythingIsAllocated) {
   using namespace std::string_literals;
   const std::string whole = wholeFile(20, 12);
   const auto sized = [&](std::int32_t width, std::int32_t height) {
-    std::string text = whole;
     const auto little = [](std::int32_t v) {
       return std::string(reinterpret_cast<const char*>(&v), 4);
     };
@@ -141,13 +140,13 @@ TEST_P(DamagedImage, HugeSizesAreRefusedBeforeAnythingIsAllocated) {
       const std::string l = little(v);
       return std::string(l.rbegin(), l.rend());
     };
-    if (GetParam() == ".pfm") return replace(text, "20 12", fmt::format("{} {}", width, height));
+    if (GetParam() == ".pfm") return replace(whole, "20 12", fmt::format("{} {}", width, height));
     if (GetParam() == ".hdr")
-      return replace(text, "-Y 12 +X 20", fmt::format("-Y {} +X {}", height, width));
+      return replace(whole, "-Y 12 +X 20", fmt::format("-Y {} +X {}", height, width));
     // Not the CRC of the PNG's header, which stb_image does not read.
-    if (GetParam() == ".png") return replace(text, big(20) + big(12), big(width) + big(height));
+    if (GetParam() == ".png") return replace(whole, big(20) + big(12), big(width) + big(height));
     return replace(
-        text, "dataWindow\0box2i\0\x10\0\0\0"s + little(0) + little(0) + little(19) + little(11),
+        whole, "dataWindow\0box2i\0\x10\0\0\0"s + little(0) + little(0) + little(19) + little(11),
         "dataWindow\0box2i\0\x10\0\0\0"s + little(0) + little(0) + little(width - 1) +
             little(height - 1));
   };
@@ -179,8 +178,8 @@ TEST(DamagedExr, WithoutColourNamesItsChannels) {
   // The channel list is sorted: "B", "G", "R", each ended by 0.
   const std::size_t at = bytes.find(std::string("R\0\x02\0\0\0", 6));
   ASSERT_NE(at, std::string::npos);
-  bytes[at] = 'Y';
-  EXPECT_NE(sentenceOf([&] { decodeExr(bytes); }).find("are B, G, Y; needed are R, G and B"),
+  bytes[at] = '\n';
+  EXPECT_NE(sentenceOf([&] { decodeExr(bytes); }).find("are ?, B, G; needed are R, G and B"),
             std::string::npos);
 }
 

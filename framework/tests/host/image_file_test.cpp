@@ -56,7 +56,7 @@ TEST(ImageFile, ExrKeepsEveryBitAndTheOrigin) {
   image.rgb[6] = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < image.rgb.size(); ++i)
     image.variance.push_back(1.0f / static_cast<float>(i + 3));
-  image.invalid.assign(37 * 21, 0);
+  image.invalid.assign(image.rgb.size() / 3, 0);
   image.invalid[7] = 1;
   writeImage(folder / "a.exr", image, 30.0, kOrigin);
   const ImageFile read = readImage(folder / "a.exr");

@@ -24,9 +24,9 @@ std::vector<Colour8> coloursOf(const std::vector<float>& values, double scale) {
       stbi_load_from_memory(reinterpret_cast<const unsigned char*>(png.data()),
                             static_cast<int>(png.size()), &width, &height, &channels, 3);
   EXPECT_NE(data, nullptr);
-  std::vector<Colour8> colours;
-  for (int i = 0; i < width; ++i)
-    colours.push_back({data[3 * i], data[3 * i + 1], data[3 * i + 2]});
+  std::vector<Colour8> colours(values.size());
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    colours[i] = {data[3 * i], data[3 * i + 1], data[3 * i + 2]};
   stbi_image_free(data);
   return colours;
 }
