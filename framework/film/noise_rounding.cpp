@@ -16,8 +16,8 @@ double powerOfTwoBelow(double x) { return std::ldexp(1.0, std::ilogb(x)); }
 }  // namespace
 
 Image roundedToNoise(const Image& image) {
-  constexpr double kStepsPerError = 16.0;
-  constexpr double kStepsPerOctave = 16.0;
+  constexpr double kStepsPerError = 8.0;
+  constexpr double kStepsPerOctave = 8.0;
   Image rounded = image;
   for (std::size_t i = 0; i < image.variance.size(); ++i) {
     const double variance = static_cast<double>(image.variance[i]);

@@ -1,6 +1,7 @@
 // pathmark reference: images of the shipped scenes with little noise, to compare others with.
+#include "film/atomic_file.h"
 #include "film/image_file.h"
-#include "film/noise_rounding.h"
+#include "film/image_formats.h"
 #include "film/own_error.h"
 #include "host/blob_file.h"
 #include "host/build_config.h"
@@ -59,6 +60,22 @@ LoadedScene load(const std::string& name) {
   return loadScene(file);
 }
 
+// With as many rays as are asked for.
+bool isReferenceOf(const LoadedScene& scene, const ImageFile& file,
+                   const ReferenceArguments& arguments) {
+  return fits(file, scene) && !file.image.variance.empty() &&
+         file.origin.raysPerPixel >= static_cast<double>(arguments.raysPerPixel);
+}
+
+// What has been rendered, with all its bits, unless it is of another scene or has fewer rays.
+std::optional<ImageFile> readRendered(const fs::path& file, const LoadedScene& scene,
+                                      const ReferenceArguments& arguments) {
+  if (arguments.again || !fs::exists(file)) return std::nullopt;
+  ImageFile rendered = readImage(file);
+  return isReferenceOf(scene, rendered, arguments) ? std::optional(std::move(rendered))
+                                                   : std::nullopt;
+}
+
 // Renders into the build folder, where an interrupted render is gone on with, and stores what is
 // not noise.
 int make(const Coursework& coursework, const LoadedScene& scene,
@@ -71,24 +88,22 @@ int make(const Coursework& coursework, const LoadedScene& scene,
   request.options.raysPerPixel = arguments.raysPerPixel;
   request.options.replicates = arguments.replicates;
   request.checkpoints.resume = fs::exists(request.output.string() + ".checkpoint");
-  if (const int code = renderPicture(coursework, scene, request); code != kSuccess) return code;
-  const ImageFile made = readImage(request.output);
-  writeImage(referenceFile(scene.name), roundedToNoise(made.image), scene.exposure, made.origin);
+  std::optional<ImageFile> rendered = readRendered(request.output, scene, arguments);
+  if (!rendered) {
+    if (const int code = renderPicture(coursework, scene, request); code != kSuccess) return code;
+    rendered = readImage(request.output);
+  }
+  writeFileAtomically(referenceFile(scene.name),
+                      encodeExr(rendered->image, rendered->origin, ExrBits::kAboveNoise));
   return kSuccess;
-}
-
-// Whether there is a reference with as many rays.
-bool isUpToDate(const LoadedScene& scene, const ReferenceArguments& arguments) {
-  const std::optional<ImageFile> file = readReference(scene);
-  return file && !file->image.variance.empty() &&
-         file->origin.raysPerPixel >= static_cast<double>(arguments.raysPerPixel);
 }
 
 int makeAll(const ReferenceArguments& arguments) {
   const Coursework coursework = prepareCoursework("solutions");
   for (const std::string& name : arguments.scenes) {
     const LoadedScene scene = load(name);
-    if (!arguments.again && isUpToDate(scene, arguments)) continue;
+    const std::optional<ImageFile> there = readReference(scene);
+    if (!arguments.again && there && isReferenceOf(scene, *there, arguments)) continue;
     if (const int code = make(coursework, scene, arguments); code != kSuccess) return code;
     if (interrupted()) return kInterrupted;
   }

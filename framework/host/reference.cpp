@@ -11,15 +11,18 @@ fs::path referenceFile(const std::string& scene) {
   return fs::path(build::kProjectFolder) / "scenes/references" / (scene + ".exr");
 }
 
+bool fits(const ImageFile& image, const LoadedScene& scene) {
+  const FlatCamera& camera = scene.flat.camera;
+  return image.origin.sceneHash == contentHash(packScene(scene.flat)) &&
+         image.image.width == static_cast<int>(camera.width) &&
+         image.image.height == static_cast<int>(camera.height);
+}
+
 std::optional<ImageFile> readReference(const LoadedScene& scene) {
   const fs::path file = referenceFile(scene.name);
   if (!fs::exists(file)) return std::nullopt;
   ImageFile reference = readImage(file);
-  const FlatCamera& camera = scene.flat.camera;
-  const bool fits = reference.origin.sceneHash == contentHash(packScene(scene.flat)) &&
-                    reference.image.width == static_cast<int>(camera.width) &&
-                    reference.image.height == static_cast<int>(camera.height);
-  if (!fits) return std::nullopt;
+  if (!fits(reference, scene)) return std::nullopt;
   return reference;
 }
 
