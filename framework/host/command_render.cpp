@@ -1,4 +1,5 @@
 // pathmark render: one picture of one scene.
+#include "film/image_file.h"
 #include "host/commands.h"
 #include "host/options.h"
 #include "host/output_check.h"
@@ -70,7 +71,7 @@ void refuseUnequalReplicates(const RenderOptions& options) {
 }
 
 void noteVariance(const std::filesystem::path& output, const RenderOptions& options) {
-  if (options.replicates > 1 && output.extension() != ".exr")
+  if (options.replicates > 1 && imageEnding(output) != ".exr")
     fmt::print(stderr,
                "{} will not have the variance between the replicates: only .exr files do.\n",
                output.string());

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <optional>
 #include <system_error>
@@ -180,10 +181,12 @@ void buildParts(std::vector<PartBuild>& parts, std::vector<fs::path>& objects) {
   const auto work = [&] {
     for (std::size_t i = 0; (i = next++) < parts.size();) buildPart(parts[i], objects[i]);
   };
-  std::vector<std::jthread> threads;
+  // Futures, because they carry an exception over: the build folder may be full or not writable.
+  std::vector<std::future<void>> others;
   const unsigned extra = std::max(1u, std::thread::hardware_concurrency()) - 1;
-  for (unsigned k = 0; k < extra; ++k) threads.emplace_back(work);
+  for (unsigned k = 0; k < extra; ++k) others.push_back(std::async(std::launch::async, work));
   work();
+  for (std::future<void>& other : others) other.get();
 }
 
 // With `lenient`, functions that are nowhere defined get the address zero.

@@ -19,7 +19,7 @@ namespace {
 
 // What the picture takes at the very least: nothing is known yet of how well it can be compressed.
 std::uint64_t fewestBytes(const fs::path& output, std::uint64_t pixels) {
-  const bool uncompressed = output.extension() == ".pfm";
+  const bool uncompressed = imageEnding(output) == ".pfm";
   return uncompressed ? pixels * 12 : pixels;
 }
 

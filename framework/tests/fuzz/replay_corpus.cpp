@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   int files = 0;
   for (int k = 1; k < argc; ++k) {
     for (const auto& entry : std::filesystem::directory_iterator(argv[k])) {
+      if (!entry.is_regular_file()) continue;
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string text{std::istreambuf_iterator<char>(stream), {}};
       LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
