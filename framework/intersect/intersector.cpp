@@ -4,7 +4,8 @@ namespace pathmark {
 
 namespace {
 
-// Where both take the same time to render a scene. The flat loop grows with every sixteen triangles.
+// Where both take the same time to render a scene. The flat loop grows with every sixteen
+// triangles.
 constexpr std::size_t kMostFlatTriangles = 32;
 
 FlatSceneView flatPart(const FlatSceneView& scene) {

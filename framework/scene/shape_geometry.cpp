@@ -51,7 +51,7 @@ fs::path findMesh(const ShapeDescription& shape, const SceneSource& source, cons
                  "a mesh is an .obj file in the scene's own folder or below it");
   }
   const fs::path folder = source.file.has_parent_path() ? source.file.parent_path() : fs::path(".");
-  const fs::path file = folder / name;
+  fs::path file = folder / name;
   std::error_code error;
   if (!fs::exists(file, error)) {
     place.refuse(inQuotes(shape.file),
