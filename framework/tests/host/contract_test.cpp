@@ -1,5 +1,6 @@
 // The contract's table, the markers in the stubs, and the names that the solutions define say the
 // same.
+#include "host/blob_file.h"
 #include "host/build_config.h"
 #include "host/coursework_builder.h"
 #include "host/session.h"
@@ -45,6 +46,7 @@ TEST(Contract, UnwrittenCourseworkBuildsRendersAndIsKnownAsUnwritten) {
   ASSERT_FALSE(build.worker.empty()) << build.failure();
   const Coursework student{"student", build.folder, build.worker};
   for (const std::string& name : sceneNames()) {
+    if (needsShippedBlobFile(findScene(name))) continue;  // its mesh is made, not shipped
     SceneOverrides small;
     small.size = {16, 16};
     RenderOptions options;
