@@ -1,143 +1,16 @@
 #include "scene/read_scene.h"
 
+#include "scene/json_object.h"
 #include "scene/json_text.h"
-#include "scene/place.h"
-#include "scene/spelling.h"
-#include "scene/syntax_sentence.h"
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace pathmark {
 namespace {
-
-using nlohmann::json;
-
-std::string describe(const json& value) {
-  switch (value.type()) {
-    case json::value_t::object:
-      return "an object { ... }";
-    case json::value_t::array:
-      return fmt::format("an array of {} {}", value.size(),
-                         value.size() == 1 ? "entry" : "entries");
-    case json::value_t::string:
-      return "the text " + inQuotes(value.get_ref<const std::string&>());
-    default:
-      return value.dump();
-  }
-}
-
-double number(const json& value, const Place& place) {
-  if (!value.is_number()) place.refuse(describe(value), "this must be a number");
-  return value.get<double>();
-}
-
-glm::dvec3 vector(const json& value, const Place& place) {
-  if (!value.is_array() || value.size() != 3) {
-    place.refuse(describe(value), "this must be three numbers [x, y, z] or [r, g, b]");
-  }
-  glm::dvec3 result(0.0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[static_cast<int>(i)] = number(value[i], Place(place, i));
-  }
-  return result;
-}
-
-const std::string& word(const json& value, const Place& place) {
-  if (!value.is_string()) place.refuse(describe(value), "this must be a text in quotes");
-  return value.get_ref<const std::string&>();
-}
-
-bool flag(const json& value, const Place& place) {
-  if (!value.is_boolean()) place.refuse(describe(value), "this must be true or false");
-  return value.get<bool>();
-}
-
-// An object of the file with a fixed set of keys. `what` names it in sentences: "a sphere".
-class Object {
- public:
-  Object(const json& value, const Place& place, std::string_view what)
-      : value_(value), place_(place), what_(what) {
-    if (!value.is_object()) {
-      place.refuse(describe(value), fmt::format("{} must be an object {{ ... }}", what));
-    }
-  }
-
-  void allowOnly(std::initializer_list<std::string_view> keys) const {
-    for (const auto& entry : value_.items()) {
-      if (std::find(keys.begin(), keys.end(), entry.key()) != keys.end()) continue;
-      Place(place_, entry.key())
-          .refuse(fmt::format("found the key {}, but {} has no such key; it has {}.{}",
-                              inQuotes(entry.key()), what_, fmt::join(keys, ", "),
-                              didYouMean(entry.key(), std::span(keys.begin(), keys.size()))));
-    }
-  }
-
-  // Hands the value of a key to read(value, place), if the key is there.
-  template <typename Read>
-  void optional(std::string_view key, Read&& read) const {
-    const auto found = value_.find(key);
-    if (found != value_.end()) read(*found, Place(place_, key));
-  }
-
-  template <typename Read>
-  void required(std::string_view key, Read&& read) const {
-    if (!value_.contains(key)) {
-      place_.refuse(fmt::format("the key \"{}\" is missing, but {} must have it.", key, what_));
-    }
-    optional(key, read);
-  }
-
-  void optional(std::string_view key, double& result) const {
-    optional(key, [&](const json& v, const Place& p) { result = number(v, p); });
-  }
-  void optional(std::string_view key, glm::dvec3& result) const {
-    optional(key, [&](const json& v, const Place& p) { result = vector(v, p); });
-  }
-  void optional(std::string_view key, bool& result) const {
-    optional(key, [&](const json& v, const Place& p) { result = flag(v, p); });
-  }
-  void optional(std::string_view key, std::string& result) const {
-    optional(key, [&](const json& v, const Place& p) { result = word(v, p); });
-  }
-  void required(std::string_view key, double& result) const {
-    required(key, [&](const json& v, const Place& p) { result = number(v, p); });
-  }
-  void required(std::string_view key, glm::dvec3& result) const {
-    required(key, [&](const json& v, const Place& p) { result = vector(v, p); });
-  }
-
-  // Sets `result` to the entry of `choices` that the key names.
-  template <typename Choice, std::size_t N>
-  void requiredChoice(std::string_view key,
-                      const std::array<std::pair<std::string_view, Choice>, N>& choices,
-                      Choice& result) const {
-    required(key, [&](const json& v, const Place& p) {
-      std::array<std::string_view, N> names;
-      for (std::size_t i = 0; i < N; ++i) names[i] = choices[i].first;
-      const std::string& name = word(v, p);
-      const auto found = std::find(names.begin(), names.end(), name);
-      if (found == names.end()) {
-        p.refuse(fmt::format("found {}, but allowed is {}.{}", inQuotes(name),
-                             fmt::join(names, ", "), didYouMean(name, names)));
-      }
-      result = choices[static_cast<std::size_t>(found - names.begin())].second;
-    });
-  }
-
- private:
-  const json& value_;
-  const Place& place_;
-  std::string what_;
-};
 
 CameraDescription readCamera(const json& value, const Place& place) {
   const Object object(value, place, "a camera");
@@ -192,7 +65,8 @@ std::vector<glm::dvec3> readVertices(const json& value, const Place& place) {
   }
   std::vector<glm::dvec3> vertices;
   vertices.reserve(value.size());
-  for (const json& entry : value) vertices.push_back(vector(entry, Place(place, vertices.size())));
+  for (const json& entry : value)
+    vertices.push_back(readVector(entry, Place(place, vertices.size())));
   return vertices;
 }
 
@@ -201,7 +75,7 @@ TransformDescription readTransform(const json& value, const Place& place) {
   object.allowOnly({"scale", "rotate", "translate"});
   TransformDescription transform;
   object.optional("scale", [&](const json& v, const Place& p) {
-    transform.scale = v.is_number() ? glm::dvec3(number(v, p)) : vector(v, p);
+    transform.scale = v.is_number() ? glm::dvec3(readNumber(v, p)) : readVector(v, p);
   });
   object.optional("rotate", [&](const json& v, const Place& p) {
     const Object rotate(v, p, "a rotation");
@@ -251,7 +125,7 @@ void readOwnKeys(const json& value, const Place& place, ShapeDescription& shape)
       const Object mesh(value, place, "a mesh");
       mesh.allowOnly(
           {"type", "name", "material", "emission", "frontOnly", "file", "madeBy", "transform"});
-      mesh.required("file", [&](const json& v, const Place& p) { shape.file = word(v, p); });
+      mesh.required("file", [&](const json& v, const Place& p) { shape.file = readWord(v, p); });
       mesh.optional("madeBy", shape.madeBy);
       mesh.optional("transform", transform);
       break;
@@ -273,7 +147,7 @@ ShapeDescription readShape(const json& value, const Place& place,
   object.requiredChoice("type", kShapeKinds, shape.kind);
   readOwnKeys(value, place, shape);
   object.required("material", [&](const json& v, const Place& p) {
-    shape.material = findMaterial(word(v, p), p, materials);
+    shape.material = findMaterial(readWord(v, p), p, materials);
   });
   object.optional("emission", shape.emission);
   object.optional("frontOnly", shape.frontOnly);
@@ -286,13 +160,13 @@ SceneDescription readParts(const json& value, const Place& top) {
   object.allowOnly({"$schema", "caption", "camera", "size", "maxBounces", "raysPerPixel",
                     "exposure", "materials", "shapes"});
   SceneDescription scene;
-  object.optional("$schema", [](const json& v, const Place& p) { word(v, p); });
+  object.optional("$schema", [](const json& v, const Place& p) { readWord(v, p); });
   object.optional("caption", scene.caption);
   object.required("camera",
                   [&](const json& v, const Place& p) { scene.camera = readCamera(v, p); });
   object.optional("size", [&](const json& v, const Place& p) {
     if (!v.is_array() || v.size() != 2) p.refuse(describe(v), "this must be [width, height]");
-    for (std::size_t i = 0; i < 2; ++i) scene.size[i] = number(v[i], Place(p, i));
+    for (std::size_t i = 0; i < 2; ++i) scene.size[i] = readNumber(v[i], Place(p, i));
   });
   object.optional("maxBounces", scene.maxBounces);
   object.optional("raysPerPixel", scene.raysPerPixel);
