@@ -1,11 +1,9 @@
 // scene.schema.json, which editors go by, against the loader.
 #include "scene_files.h"
 
+#include <rapidjson/document.h>
+#include <rapidjson/schema.h>
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include <string>
 #include <vector>
@@ -22,25 +20,17 @@ json parseFile(const std::filesystem::path& file) {
   return json::parse(stream, nullptr, true, true);
 }
 
-class SceneSchema {
- public:
-  SceneSchema() {
-    const json text = parseFile(kRoot / "scenes" / "scene.schema.json");
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-        .populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema_);
-  }
-  bool accepts(const json& scene) const {
-    valijson::Validator validator(valijson::Validator::kStrongTypes);
-    return validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(scene), nullptr);
-  }
-
- private:
-  valijson::Schema schema_;
-};
+rapidjson::Document toRapid(const json& value) {
+  rapidjson::Document document;
+  document.Parse(value.dump().c_str());
+  return document;
+}
 
 bool fitsSchema(const json& scene) {
-  static const SceneSchema schema;
-  return schema.accepts(scene);
+  static const rapidjson::SchemaDocument schema(
+      toRapid(parseFile(kRoot / "scenes" / "scene.schema.json")));
+  rapidjson::SchemaValidator validator(schema);
+  return toRapid(scene).Accept(validator);
 }
 
 bool loads(const SceneFolder& folder, const json& scene) {
