@@ -24,10 +24,6 @@ class Command : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return pathmark(arguments);
   }
-  static void expectSays(const ProcessResult& result, int exitCode, const std::string& words) {
-    EXPECT_EQ(result.exitCode, exitCode) << result.output;
-    EXPECT_NE(result.output.find(words), std::string::npos) << result.output;
-  }
   bool wrote(const std::string& name) { return std::filesystem::exists(folder_ / name); }
 
   TemporaryFolder folder_;

@@ -22,10 +22,6 @@ class CompareCommand : public ::testing::Test {
     arguments.insert(arguments.begin(), {PATHMARK_PROGRAM, "compare"});
     return run(arguments, folder_.path());
   }
-  void expectSays(const ProcessResult& result, int exitCode, const std::string& words) {
-    EXPECT_EQ(result.exitCode, exitCode) << result.output;
-    EXPECT_NE(result.output.find(words), std::string::npos) << words << "\n" << result.output;
-  }
   void write(const std::string& name, const Image& image, const ImageOrigin& origin = {}) {
     writeImage(folder_ / name, image, 1.0, origin);
   }

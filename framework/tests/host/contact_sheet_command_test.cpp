@@ -21,10 +21,6 @@ class ContactSheetCommand : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments, folder_.path());
   }
-  static void expectSays(const ProcessResult& result, int exitCode, const std::string& words) {
-    EXPECT_EQ(result.exitCode, exitCode) << result.output;
-    EXPECT_NE(result.output.find(words), std::string::npos) << result.output;
-  }
   bool wrote(const std::string& name) { return std::filesystem::exists(folder_ / name); }
 
   TemporaryFolder folder_;

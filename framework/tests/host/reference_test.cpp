@@ -5,6 +5,7 @@
 #include "host/blob_file.h"
 #include "host/session.h"
 #include "scene/blob_mesh.h"
+#include "support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
@@ -16,11 +17,6 @@ namespace {
 
 // Chance of one scene's comparison to fail although its picture is right.
 constexpr double kFalseFail = 1e-6;
-
-const Coursework& solutions() {
-  static const Coursework coursework = prepareCoursework("solutions");
-  return coursework;
-}
 
 class Reference : public testing::TestWithParam<std::string> {
  protected:

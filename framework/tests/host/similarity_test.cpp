@@ -2,6 +2,7 @@
 #include "host/blob_file.h"
 #include "host/session.h"
 #include "support/moved_scene.h"
+#include "support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +13,6 @@
 
 namespace pathmark::test {
 namespace {
-
-const Coursework& solutions() {
-  static const Coursework coursework = prepareCoursework("solutions");
-  return coursework;
-}
 
 constexpr int kSide = 64, kBlock = 8;
 

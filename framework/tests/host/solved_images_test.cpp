@@ -3,6 +3,7 @@
 #include "host/coursework_builder.h"
 #include "host/session.h"
 #include "stats/mean_test.h"
+#include "support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <fmt/format.h>
@@ -18,11 +19,6 @@ namespace {
 
 // Chance of one of the statistical assertions of this file to fail a right image.
 constexpr double kFalseFail = 1e-7;
-
-const Coursework& solutions() {
-  static const Coursework coursework = prepareCoursework("solutions");
-  return coursework;
-}
 
 Image render(const std::filesystem::path& scene, int maxBounces, std::uint64_t rays,
              std::uint64_t seed = 0) {

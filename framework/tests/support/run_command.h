@@ -1,7 +1,12 @@
-// Runs a command as a user would, and keeps what it printed.
+// Running a command as a user would.
+//
+//   run          keeps what it printed
+//   expectSays   whether that is right
 #pragma once
 
 #include "host/subprocess.h"
+
+#include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
@@ -14,6 +19,12 @@ inline ProcessResult run(std::vector<std::string> arguments,
   request.arguments = std::move(arguments);
   request.folder = folder;
   return runProcess(request);
+}
+
+// The command ended with this exit code, and these words are in what it printed.
+inline void expectSays(const ProcessResult& result, int exitCode, const std::string& words) {
+  EXPECT_EQ(result.exitCode, exitCode) << result.output;
+  EXPECT_NE(result.output.find(words), std::string::npos) << result.output;
 }
 
 }  // namespace pathmark::test
