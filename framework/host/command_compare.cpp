@@ -4,6 +4,7 @@
 #include "host/commands.h"
 #include "host/compare_report.h"
 #include "host/options.h"
+#include "host/output_file.h"
 #include "host/session.h"
 #include "stats/quantiles.h"
 
@@ -56,13 +57,7 @@ void refuseOutput(const char* option, const fs::path& file, const CompareArgumen
   if (std::none_of(endings.begin(), endings.end(), [&](const char* e) { return ending == e; }))
     throw UsageError(fmt::format("{} {}: the name ends in {}.", option, file.string(),
                                  fmt::join(endings, " or ")));
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (fs::is_directory(file))
-    throw UsageError(
-        fmt::format("{} {}: this is a folder, and a file is needed.", option, file.string()));
-  if (!fs::is_directory(folder))
-    throw UsageError(
-        fmt::format("{} {}: there is no folder {}.", option, file.string(), folder.string()));
+  requirePlaceForFile(option, file);
   std::error_code ignored;
   for (const std::string& input : {arguments.a, arguments.b})
     if (fs::equivalent(file, input, ignored))

@@ -59,17 +59,6 @@ void noteSpheres(const LoadedScene& scene) {
              onlySpheresShine ? ", and with them all light" : "");
 }
 
-// The replicates are to have the same number of rays.
-void refuseUnequalReplicates(const RenderOptions& options) {
-  const std::uint64_t rays = options.raysPerPixel, replicates = options.replicates;
-  if (rays % replicates == 0) return;
-  const std::uint64_t above = (rays / replicates + 1) * replicates, below = above - replicates;
-  throw UsageError(fmt::format(
-      "--replicates {}: {} rays per pixel cannot be parted into so many equal groups; {} can.",
-      replicates, rays,
-      below == 0 ? fmt::format("{}", above) : fmt::format("{} and {}", below, above)));
-}
-
 void noteVariance(const std::filesystem::path& output, const RenderOptions& options) {
   if (options.replicates > 1 && imageEnding(output) != ".exr")
     fmt::print(stderr,
@@ -87,7 +76,7 @@ int render(RenderArguments& arguments) {
   options.raysPerPixel = static_cast<std::uint64_t>(
       arguments.raysPerPixel > 0 ? arguments.raysPerPixel : scene.raysPerPixel);
   refuseLargeImages(scene);
-  refuseUnequalReplicates(options);
+  refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.output.empty())
     arguments.output = fmt::format("{}_{}.png", scene.name, courseworkName(arguments.with));
   arguments.picture.output = arguments.output;
@@ -168,11 +157,11 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png   (Ctrl-C)\n"
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png --resume\n"
       "  ./pathmark render cornell_box --rays-per-pixel 1024 --replicates 16\n\n"
-      "The same seed gives the same bits, for any number of threads and breaks. A checkpoint that "
+      "The same seed gives the same bits, for any number of threads and breaks. A checkpoint of "
       "an\n"
-      "older render has left is never lost: without --resume it is replaced only by one that has "
-      "all\n"
-      "of its rays, or else renamed to OUTPUT.checkpoint.old.\n"
+      "older render is never lost: without --resume it is replaced only by one that has all of "
+      "its\n"
+      "rays, or else renamed to OUTPUT.checkpoint.old.\n"
       "Exit code: 0 done, 1 the coursework is at fault, 2 the command line or the scene is,\n"
       "3 the machine is, 130 interrupted.");
   command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });

@@ -1,7 +1,7 @@
 #include "host/reference.h"
 
 #include "host/build_config.h"
-#include "host/content_hash.h"
+#include "host/session.h"
 
 namespace pathmark {
 
@@ -13,7 +13,7 @@ fs::path referenceFile(const std::string& scene) {
 
 bool fits(const ImageFile& image, const LoadedScene& scene) {
   const FlatCamera& camera = scene.flat.camera;
-  return image.origin.sceneHash == contentHash(packScene(scene.flat)) &&
+  return image.origin.sceneHash == sceneHash(scene) &&
          image.image.width == static_cast<int>(camera.width) &&
          image.image.height == static_cast<int>(camera.height);
 }

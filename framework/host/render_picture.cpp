@@ -25,16 +25,16 @@ std::string programHash(const fs::path& program) {
 
 CheckpointIdentity identityOf(const Coursework& coursework, const LoadedScene& scene,
                               const RenderOptions& options) {
-  return {contentHash(packScene(scene.flat)), programHash(coursework.worker), scene.flat.maxBounces,
+  return {sceneHash(scene), programHash(coursework.worker), scene.flat.maxBounces,
           settingsFor(scene, options)};
 }
 
 ImageOrigin originOf(const Coursework& coursework, const LoadedScene& scene,
-                     const RenderOptions& options, const RenderedImage& rendered) {
-  const RenderSettings settings = settingsFor(scene, options);
+                     const CheckpointIdentity& identity, const RenderedImage& rendered) {
+  const RenderSettings& settings = identity.settings;
   ImageOrigin origin;
   origin.scene = scene.name;
-  origin.sceneHash = contentHash(packScene(scene.flat));
+  origin.sceneHash = identity.scene;
   origin.coursework = coursework.name;
   origin.raysPerPixel = rendered.raysPerPixel;
   origin.raysPerPass = settings.raysPerPass();
@@ -96,11 +96,20 @@ int conclude(const RenderOutcome& outcome, const RenderOptions& options, Checkpo
 
 }  // namespace
 
+void refuseUnequalReplicates(std::uint64_t rays, std::uint64_t replicates) {
+  if (rays % replicates == 0) return;
+  const std::uint64_t above = (rays / replicates + 1) * replicates, below = above - replicates;
+  throw UsageError(fmt::format(
+      "--replicates {}: {} rays per pixel cannot be parted into so many equal groups; {} can.",
+      replicates, rays,
+      below == 0 ? fmt::format("{}", above) : fmt::format("{} and {}", below, above)));
+}
+
 int renderPicture(const Coursework& coursework, const LoadedScene& scene,
                   const PictureRequest& request) {
   const RenderOptions& options = request.options;
-  CheckpointKeeper keeper(request.output, identityOf(coursework, scene, options),
-                          request.checkpoints);
+  const CheckpointIdentity identity = identityOf(coursework, scene, options);
+  CheckpointKeeper keeper(request.output, identity, request.checkpoints);
   const RenderOutcome outcome = renderWithCheckpoints(coursework, scene, options, keeper);
   const RenderedImage& rendered = outcome.rendered;
   if (!(rendered.raysPerPixel > 0.0)) {
@@ -109,7 +118,7 @@ int renderPicture(const Coursework& coursework, const LoadedScene& scene,
   }
   try {
     writeImage(request.output, rendered.image, scene.exposure,
-               originOf(coursework, scene, options, rendered));
+               originOf(coursework, scene, identity, rendered));
   } catch (const ImageError&) {
     fmt::print(stderr, "{}", keeper.rescue(outcome.state));
     throw;

@@ -15,6 +15,10 @@ struct PictureRequest {
   CheckpointOptions checkpoints;
 };
 
+// Throws UsageError, with the nearest numbers of rays that serve, unless the rays of a pixel can be
+// parted into so many equal replicates.
+void refuseUnequalReplicates(std::uint64_t rays, std::uint64_t replicates);
+
 // Returns an exit code. Throws UsageError, WorkerError and ImageError.
 int renderPicture(const Coursework& coursework, const LoadedScene& scene,
                   const PictureRequest& request);

@@ -1,6 +1,7 @@
 #include "host/session.h"
 
 #include "host/build_config.h"
+#include "host/content_hash.h"
 #include "host/coursework_builder.h"
 #include "host/display_path.h"
 #include "host/interrupt.h"
@@ -87,6 +88,8 @@ fs::path findScene(const std::string& scene) {
       fmt::format("There is no scene {}: it is one of {}, or the path of a .json file.{}", scene,
                   fmt::join(names, ", "), didYouMean(scene, views)));
 }
+
+std::string sceneHash(const LoadedScene& scene) { return contentHash(packScene(scene.flat)); }
 
 RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options) {
   RenderSettings settings;

@@ -63,6 +63,9 @@ struct RenderOptions {
   double secondsWithoutAnswer = 10.0;
 };
 
+// A content hash of the scene as a worker gets it.
+std::string sceneHash(const LoadedScene& scene);
+
 RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options);
 
 struct RenderOutcome {

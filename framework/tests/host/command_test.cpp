@@ -99,7 +99,7 @@ TEST_F(Command, WrongCommandLinesAreSentencesAndExitCodeTwo) {
       {{"render", "furnace", "--with", "/no/such/folder"}, "there is no folder"},
       {{"build", "--with", "/no/such/folder"}, "there is no folder"},
       {{"reference", "my_scene"}, "no scene in scenes/"},
-      {{"reference", "cornell_box", "--rays-per-pixel", "100"}, "multiple of the 16 replicates"},
+      {{"reference", "cornell_box", "--rays-per-pixel", "100"}, "96 and 112 can"},
       {{"reference", "cornell_box", "--replicates", "1"}, "a whole number from 2"},
       {{"reference", "--frob"}, "--frob was not expected"},
       {{"status", "--with", "/no/such/folder"}, "there is no folder"},
