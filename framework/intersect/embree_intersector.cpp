@@ -111,7 +111,6 @@ bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) c
   hit.t = query.ray.tfar;
   hit.index = query.hit.primID;
   hit.isSphere = false;
-  hit.barycentric = {(1.0f - query.hit.u) - query.hit.v, query.hit.u, query.hit.v};
   return true;
 }
 

@@ -1,58 +1,45 @@
-// FlatIntersector: every ray against every primitive, triangles sixteen at a time.
+// FlatIntersector: every ray against every primitive, as many at a time as the processor's vectors
+// have lanes.
 //
 //   closest    the nearest primitive along a ray
 //   occluded   whether anything lies on a segment
-//
-// Triangles are tested watertight (Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection",
-// JCGT 2(1), 2013): the edge functions of a shared edge are evaluated from the same numbers, so
-// that no ray slips through between two triangles.
 #pragma once
 
-#include "intersect/primitive_hit.h"
-#include "scene/flat_scene.h"
+#include "intersect/sphere_blocks.h"
+#include "intersect/triangle_blocks.h"
 
-#include <pathmark/types.h>
-
-#include <cstdint>
-#include <vector>
+#include <span>
 
 namespace pathmark {
 
 class FlatIntersector {
  public:
+  // Of all of a scene's primitives.
   explicit FlatIntersector(const FlatSceneView& scene);
 
-  // Returns whether the ray meets anything at t > 0, and then sets `hit` to the nearest; if not,
-  // hit.t becomes infinite.
-  bool closest(const Ray& ray, PrimitiveHit& hit) const;
+  // Of these triangles and spheres of a scene.
+  FlatIntersector(const FlatSceneView& scene, std::span<const std::uint32_t> triangles,
+                  std::span<const std::uint32_t> spheres)
+      : triangles_(scene, triangles), spheres_(scene, spheres) {}
+
+  // Returns whether the ray meets anything at 0 < t < tMax, and only then sets `hit` to the
+  // nearest.
+  bool closest(const Ray& ray, PrimitiveHit& hit, float tMax = kInfinity) const {
+    bool met = false;
+    if (!triangles_.empty()) met = triangles_.closest(ray, tMax, hit);
+    if (!spheres_.empty()) met = spheres_.closest(ray, met ? hit.t : tMax, hit) || met;
+    return met;
+  }
 
   // Returns whether anything lies on origin + t * segment, 0 < t < 1.
-  bool occluded(const Point& origin, const Vector& segment) const;
+  bool occluded(const Point& origin, const Vector& segment) const {
+    return (!spheres_.empty() && spheres_.occluded(origin, segment)) ||
+           (!triangles_.empty() && triangles_.occluded(origin, segment));
+  }
 
  private:
-  static constexpr int kLanes = 16;
-
-  struct alignas(64) TriangleBlock {
-    float vertex[3][3][kLanes];  // [corner][axis][lane]; NaN where there is no triangle
-    float smallestArea[kLanes];  // signed projected area a hit must exceed: culls backs
-  };
-
-  struct SphereRecord {
-    Point centre;
-    float radius;
-    bool hideOutside, hideInside;  // sides through which rays pass
-  };
-
-  struct Shear;
-
-  static void intersectBlock(const TriangleBlock& block, const Shear& shear, float tMax,
-                             float (&t)[kLanes]);
-  static float intersectSphere(const SphereRecord& sphere, const Point& origin,
-                               const Vector& direction, float tMax);
-  Vector barycentrics(std::uint32_t triangle, const Shear& shear) const;
-
-  std::vector<TriangleBlock> blocks_;
-  std::vector<SphereRecord> spheres_;
+  TriangleBlocks triangles_;
+  SphereBlocks spheres_;
 };
 
 }  // namespace pathmark

@@ -4,20 +4,22 @@ namespace pathmark {
 
 namespace {
 
-// Where both take the same time to render a scene. The flat loop grows with every sixteen
-// triangles.
-constexpr std::size_t kMostFlatTriangles = 32;
-
-FlatSceneView flatPart(const FlatSceneView& scene) {
+FlatSceneView flatPart(const FlatSceneView& scene, const Plan& plan) {
   FlatSceneView part = scene;
-  if (scene.triangles.size() > kMostFlatTriangles) part.triangles = {};
+  if (plan.triangles == TriangleTest::kHierarchy) part.triangles = {};
   return part;
+}
+
+std::span<const std::uint32_t> flatOccluders(const Plan& plan) {
+  if (plan.triangles == TriangleTest::kHierarchy) return {};
+  return plan.occludingTriangles;
 }
 
 }  // namespace
 
-Intersector::Intersector(const FlatSceneView& scene) : flat_(flatPart(scene)) {
-  if (scene.triangles.size() > kMostFlatTriangles) embree_.emplace(scene);
+Intersector::Intersector(const FlatSceneView& scene, const Plan& plan)
+    : flat_(flatPart(scene, plan)), occluders_(scene, flatOccluders(plan), plan.occludingSpheres) {
+  if (plan.triangles == TriangleTest::kHierarchy) hierarchy_.emplace(scene);
 }
 
 }  // namespace pathmark

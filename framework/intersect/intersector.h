@@ -1,14 +1,12 @@
-// Intersector: the way to meet a scene's primitives that suits their number.
+// Intersector: the way to meet a scene's primitives that its plan has chosen.
 //
 //   closest    the nearest primitive along a ray
-//   occluded   whether anything lies on a segment
-//
-// Few triangles are fastest tested one and all, many in a hierarchy. Spheres are tested one and
-// all.
+//   occluded   whether anything lies on a segment between two points that shadow rays may have
 #pragma once
 
 #include "intersect/embree_intersector.h"
 #include "intersect/flat_intersector.h"
+#include "render/plan.h"
 
 #include <optional>
 
@@ -17,22 +15,24 @@ namespace pathmark {
 class Intersector {
  public:
   // The memory behind the view must outlive the intersector.
-  explicit Intersector(const FlatSceneView& scene);
+  Intersector(const FlatSceneView& scene, const Plan& plan);
 
-  // Returns whether the ray meets anything at t > 0, and then sets `hit` to the nearest.
+  // Returns whether the ray meets anything at t > 0, and only then sets `hit` to the nearest.
   bool closest(const Ray& ray, PrimitiveHit& hit) const {
     const bool met = flat_.closest(ray, hit);
-    return embree_ ? embree_->closest(ray, hit.t, hit) || met : met;
+    if (!hierarchy_) return met;
+    return hierarchy_->closest(ray, met ? hit.t : kInfinity, hit) || met;
   }
 
   // Returns whether anything lies on origin + t * segment, 0 < t < 1.
   bool occluded(const Point& origin, const Vector& segment) const {
-    return flat_.occluded(origin, segment) || (embree_ && embree_->occluded(origin, segment));
+    return occluders_.occluded(origin, segment) ||
+           (hierarchy_ && hierarchy_->occluded(origin, segment));
   }
 
  private:
-  FlatIntersector flat_;  // of spheres, and of triangles where there are few
-  std::optional<EmbreeIntersector> embree_;
+  FlatIntersector flat_, occluders_;  // without the triangles that are in the hierarchy
+  std::optional<EmbreeIntersector> hierarchy_;
 };
 
 }  // namespace pathmark

@@ -1,7 +1,5 @@
-// PrimitiveHit: which triangle or sphere a ray meets, and where.
+// PrimitiveHit: which triangle or sphere a ray meets, and how far along.
 #pragma once
-
-#include <pathmark/types.h>
 
 #include <cstdint>
 
@@ -11,7 +9,6 @@ struct PrimitiveHit {
   float t = 0.0f;
   std::uint32_t index = 0;  // of the triangle or sphere in the scene
   bool isSphere = false;
-  Vector barycentric{0.0f};  // of a triangle's vertices, summing to 1
 };
 
 }  // namespace pathmark

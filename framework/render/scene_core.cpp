@@ -21,12 +21,14 @@ std::unique_ptr<BRDF> makeMaterial(const FlatMaterial& m) {
 
 }  // namespace
 
-SceneCore::SceneCore(const FlatSceneView& view)
+SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins)
     : view_(view),
       camera_(makeCamera(view.camera)),
       maxBounces_(static_cast<int>(view.maxBounces)),
-      intersector_(view) {
+      intersector_(view, planFor(view, origins)) {
   for (const FlatMaterial& m : view.materials) materials_.push_back(makeMaterial(m));
+  for (const FlatShape& s : view.shapes)
+    surfaces_.push_back({materials_[s.material].get(), toVec3(s.emission)});
   buildLights();
 }
 
@@ -59,29 +61,37 @@ void SceneCore::buildLights() {
 bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
   PrimitiveHit primitive;
   if (!intersector_.closest(ray, primitive)) return false;
-  const FlatShape* shape = nullptr;
-  if (primitive.isSphere) {
-    const FlatSphere& sphere = view_.spheres[primitive.index];
-    const Point centre = toVec3(sphere.centre);
-    const Vector outward = normalize((ray.origin - centre) + primitive.t * ray.direction);
-    hit.p = centre + sphere.radius * outward;
-    hit.n = sphere.inward != 0 ? -outward : outward;
-    hit.error = offsetForMagnitude(largestComponent(centre) + sphere.radius);
-    shape = &view_.shapes[sphere.shape];
-  } else {
-    const FlatTriangle& triangle = view_.triangles[primitive.index];
-    const Vector b = primitive.barycentric;
-    const std::array<Float3, 3> corners = view_.corners(triangle);
-    const Point p0 = b.x * toVec3(corners[0]), p1 = b.y * toVec3(corners[1]),
-                p2 = b.z * toVec3(corners[2]);
-    hit.p = p0 + p1 + p2;
-    hit.n = toVec3(triangle.normal);
-    hit.error = offsetForMagnitude(largestComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2)));
-    shape = &view_.shapes[triangle.shape];
-  }
-  hit.brdf = materials_[shape->material].get();
-  hit.emission = toVec3(shape->emission);
+  const Surface& surface =
+      primitive.isSphere ? meetSphere(ray, primitive, hit) : meetTriangle(ray, primitive, hit);
+  hit.brdf = surface.brdf;
+  hit.emission = surface.emission;
   return true;
+}
+
+const SceneCore::Surface& SceneCore::meetSphere(const Ray& ray, const PrimitiveHit& primitive,
+                                                Hit& hit) const {
+  const FlatSphere& sphere = view_.spheres[primitive.index];
+  const Point centre = toVec3(sphere.centre);
+  const Vector outward = normalize((ray.origin - centre) + primitive.t * ray.direction);
+  hit.p = centre + sphere.radius * outward;
+  hit.n = sphere.inward != 0 ? -outward : outward;
+  hit.error = offsetForMagnitude(largestComponent(centre) + sphere.radius);
+  return surfaces_[sphere.shape];
+}
+
+// The rounding error of origin + t * direction grows with the distance of the origin. What of it
+// leads off the triangle's plane is taken back, so that the error of p that matters to rays that
+// start there is that of nearby coordinates.
+const SceneCore::Surface& SceneCore::meetTriangle(const Ray& ray, const PrimitiveHit& primitive,
+                                                  Hit& hit) const {
+  const FlatTriangle& triangle = view_.triangles[primitive.index];
+  const Point corner = toVec3(view_.vertices[triangle.vertex[0]]);
+  const Vector n = toVec3(triangle.normal);
+  const Point p = ray.origin + primitive.t * ray.direction;
+  hit.p = p - dot(p - corner, n) * n;
+  hit.n = n;
+  hit.error = offsetForMagnitude(std::max(largestComponent(hit.p), largestComponent(corner)));
+  return surfaces_[triangle.shape];
 }
 
 bool SceneCore::visible(const Hit& from, const LightSample& to) const {

@@ -20,7 +20,7 @@ namespace pathmark {
 
 class SceneCore {
  public:
-  explicit SceneCore(const FlatSceneView& view);
+  explicit SceneCore(const FlatSceneView& view, ShadowOrigins origins = ShadowOrigins::kAnywhere);
   SceneCore(const SceneCore&) = delete;
   SceneCore& operator=(const SceneCore&) = delete;
 
@@ -37,13 +37,22 @@ class SceneCore {
   std::vector<Triangle> warmUpTriangles() const;
 
  private:
+  // What a shape's primitives have in common.
+  struct Surface {
+    const BRDF* brdf;
+    Colour emission;
+  };
+
   void buildLights();
+  const Surface& meetSphere(const Ray& ray, const PrimitiveHit& primitive, Hit& hit) const;
+  const Surface& meetTriangle(const Ray& ray, const PrimitiveHit& primitive, Hit& hit) const;
 
   FlatSceneView view_;
   SimpleCamera camera_;
   int maxBounces_;
   Intersector intersector_;
   std::vector<std::unique_ptr<BRDF>> materials_;
+  std::vector<Surface> surfaces_;
   std::vector<Point> lightVertices_;
   std::vector<Light::Face> faces_;
   std::vector<Light> lights_;

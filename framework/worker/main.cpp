@@ -27,7 +27,8 @@ namespace {
 
 struct WorkerState {
   std::optional<SharedBlock> sceneBlock;
-  std::unique_ptr<SceneCore> scene;
+  std::unique_ptr<SceneCore> scene;          // for renders
+  std::unique_ptr<SceneCore> sceneAnywhere;  // for calls with points of the host's choice
 };
 
 void answerStubs(const Message& request) {
@@ -39,11 +40,12 @@ void answerStubs(const Message& request) {
 void answerLoadScene(const Message& request, WorkerState& state) {
   LoadSceneReply reply;
   state.scene.reset();
+  state.sceneAnywhere.reset();
   if (const auto* body = request.as<LoadSceneRequest>()) {
     state.sceneBlock = SharedBlock::map(request.descriptor, body->bytes, false);
     if (state.sceneBlock) {
       if (const auto view = viewScene(state.sceneBlock->bytes())) {
-        state.scene = std::make_unique<SceneCore>(*view);
+        state.scene = std::make_unique<SceneCore>(*view, ShadowOrigins::kSurfaces);
         reply.understood = 1;
       }
     }
@@ -69,7 +71,14 @@ void answerRender(const Message& request, const WorkerState& state) {
   sendReply(request, asBytes(result));
 }
 
-void answerCall(const Message& request, const WorkerState& state) {
+const SceneCore* sceneForCalls(WorkerState& state) {
+  if (!state.sceneAnywhere && state.sceneBlock)
+    if (const auto view = viewScene(state.sceneBlock->bytes()))
+      state.sceneAnywhere = std::make_unique<SceneCore>(*view, ShadowOrigins::kAnywhere);
+  return state.sceneAnywhere.get();
+}
+
+void answerCall(const Message& request, WorkerState& state) {
   std::vector<std::uint32_t> outputs;
   const auto* body = request.as<CallRequest>();
   if (body && body->function < contract().size()) {
@@ -81,7 +90,7 @@ void answerCall(const Message& request, const WorkerState& state) {
     if (words.size() == body->objectWords + inputs)
       outputs = callCoursework(
           {function, words.first(body->objectWords), words.subspan(body->objectWords), body->count},
-          state.scene.get());
+          contractOf(function).needsScene ? sceneForCalls(state) : nullptr);
   }
   sendReply(request, std::as_bytes(std::span(outputs)));
 }

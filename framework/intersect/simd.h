@@ -1,0 +1,67 @@
+// The vectors of floats that primitives are met in, as many lanes as the processor's registers
+// have.
+//
+//   FloatV, kLanes   the vector
+//   LaneArray        memory for one
+//   load             memory -> vector
+//   mulAdd           a b + c, rounded once where the processor can
+//   NearestV         the nearest hit of each lane, and of all of them
+#pragma once
+
+#include "intersect/primitive_hit.h"
+
+#include <experimental/simd>
+
+#include <cstdint>
+#include <limits>
+
+namespace pathmark {
+
+namespace simd = std::experimental;
+
+using FloatV = simd::native_simd<float>;
+
+inline constexpr std::size_t kLanes = FloatV::size();
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+inline constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+struct alignas(simd::memory_alignment_v<FloatV>) LaneArray {
+  float lane[kLanes];
+};
+
+inline FloatV load(const LaneArray& a) { return {a.lane, simd::vector_aligned}; }
+
+// The compiler contracts nothing by itself (see the flags); where one rounding or two make no
+// difference to what is tested, this is the shorter way.
+inline FloatV mulAdd(const FloatV& a, const FloatV& b, const FloatV& c) {
+#ifdef __FMA__
+  return simd::fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
+// The nearest hit so far in each lane, and which primitive it is with.
+struct NearestV {
+  FloatV t;
+  FloatV index = 0.0f;  // exact up to 2^24
+
+  explicit NearestV(float tMax) : t(tMax) {}
+
+  void take(const FloatV::mask_type& met, const FloatV& newT, const FloatV& newIndex) {
+    const FloatV::mask_type nearer = met && newT > 0.0f && newT < t;
+    where(nearer, t) = newT;
+    where(nearer, index) = newIndex;
+  }
+
+  // The nearest of all lanes: sets `hit` if there is one before tMax.
+  bool reduce(float tMax, PrimitiveHit& hit) const {
+    const float least = hmin(t);
+    if (!(least < tMax)) return false;
+    hit.t = least;
+    hit.index = static_cast<std::uint32_t>(index[find_first_set(t == least)]);
+    return true;
+  }
+};
+
+}  // namespace pathmark

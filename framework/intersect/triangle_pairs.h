@@ -1,0 +1,26 @@
+// pairTriangles: which triangles of a scene share an edge, two by two.
+#pragma once
+
+#include "scene/flat_scene.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pathmark {
+
+// Triangles a b c and a c d, both with the orientation that they have in the scene.
+struct TrianglePair {
+  std::array<Float3, 4> corner{};
+  std::array<std::uint32_t, 2> triangle{};  // the same twice where there is one triangle only
+  bool single = true;                       // and then d = c
+};
+
+// Each of these triangles is in one pair. Partners have the same orientation along their edge, and
+// both have backs or neither has. Greedy, in the order of the scene, so that its quads stay
+// together.
+std::vector<TrianglePair> pairTriangles(const FlatSceneView& scene,
+                                        std::span<const std::uint32_t> triangles);
+
+}  // namespace pathmark

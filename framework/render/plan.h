@@ -1,0 +1,41 @@
+// Plan: how rays are answered in a scene, decided once when it is loaded.
+//
+//   planFor   from a scene to its plan
+//   explain   what was decided, and why, in lines for a person
+//
+// What a scene does not need is left out here, so that the inner loop need not ask.
+#pragma once
+
+#include "scene/flat_scene.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pathmark {
+
+// From this many triangles on Embree's hierarchy answers the rays of a render faster than the flat
+// loop does: `pathmark bench rays` measures it.
+inline constexpr std::size_t kFewestForHierarchy = 128;
+
+enum class TriangleTest { kNone, kFlatLoop, kHierarchy };
+
+// From where shadow rays start.
+enum class ShadowOrigins {
+  kSurfaces,  // points of the scene's surfaces, as in a render
+  kAnywhere,  // points that somebody has made up, as in tests of single functions
+};
+
+struct Plan {
+  TriangleTest triangles = TriangleTest::kNone;
+
+  // Primitives that shadow rays are tested against; with a hierarchy, its triangles are all tested.
+  std::vector<std::uint32_t> occludingTriangles, occludingSpheres;
+};
+
+Plan planFor(const FlatSceneView& scene, ShadowOrigins origins = ShadowOrigins::kSurfaces);
+
+// `lanes`: primitives that the flat loop tests at a time.
+std::vector<std::string> explain(const Plan& plan, const FlatSceneView& scene, std::size_t lanes);
+
+}  // namespace pathmark
