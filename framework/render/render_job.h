@@ -5,6 +5,8 @@
 //   InvalidPixels   values that are no radiance, counted and kept out of the film
 #pragma once
 
+#include "sampling/sampler_kind.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -25,6 +27,7 @@ struct PixelRegion {
 
 struct RenderJob {
   Estimator estimator = Estimator::kPath;
+  SamplerKind sampler = SamplerKind::kSobol;
   std::uint32_t threads = 1;
   std::uint64_t seed = 0;
   std::uint64_t firstRay = 0;  // of each pixel: a multiple of raysPerPass

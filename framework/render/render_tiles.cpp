@@ -1,7 +1,7 @@
 #include "render/render_tiles.h"
 
 #include "render/ray_count.h"
-#include "sampling/pcg_sampler.h"
+#include "sampling/pixel_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +31,17 @@ void flushDenormalsToZero() {
 class PixelRenderer {
  public:
   PixelRenderer(const SceneCore& core, const RenderJob& job)
-      : core_(core), job_(job), scene_(core, core.maxBounces()), sampler_(job.seed) {
+      : core_(core),
+        job_(job),
+        scene_(core, core.maxBounces()),
+        sampler_(makePixelSampler(job.sampler, job.seed, job.raysPerPass)) {
     if (job.estimator == Estimator::kWarmUp) warmUp_ = core.warmUpTriangles();
   }
 
   Colour render(int i, int j, std::uint64_t firstRay, std::uint32_t rays) {
-    sampler_.startPixel(i, j, firstRay);
+    sampler_->startPixel(i, j, firstRay);
     if (job_.estimator == Estimator::kWarmUp) return warmUp(i, j, rays);
-    return scene_.renderPixel(i, j, core_.camera(), static_cast<int>(rays), sampler_);
+    return scene_.renderPixel(i, j, core_.camera(), static_cast<int>(rays), *sampler_);
   }
 
  private:
@@ -47,9 +50,9 @@ class PixelRenderer {
     const SimpleCamera& camera = core_.camera();
     glm::dvec3 sum(0.0);
     for (std::uint32_t m = 0; m < rays; ++m) {
-      sampler_.startRay(static_cast<int>(m));
-      const vec2 film = vec2(i, j) + sampler_.next2D();
-      uvec2 seed(sampler_.next2D() * 0x1p24f);
+      sampler_->startRay(static_cast<int>(m));
+      const vec2 film = vec2(i, j) + sampler_->next2D();
+      uvec2 seed(sampler_->next2D() * 0x1p24f);
       const Vector direction =
           normalize(camera.topLeft() + film.x * camera.pixelRight() + film.y * camera.pixelDown());
       sum += get_ray_radiance(camera.eye(), direction, Mesh{warmUp_}, seed);
@@ -61,7 +64,7 @@ class PixelRenderer {
   const SceneCore& core_;
   const RenderJob& job_;
   LitScene scene_;
-  PcgSampler sampler_;
+  std::unique_ptr<PixelSampler> sampler_;
   std::vector<Triangle> warmUp_;
 };
 

@@ -43,19 +43,27 @@ class RecordingSampler final : public Sampler {
   void startRay(int m) override {
     record.started.push_back(m);
     record.numbers = 0;
-    next_ = end_ = nullptr;
+    forgetNumbers();
   }
 
  private:
-  void refill() override {
+  void refillSingles() override {
+    nextSingle_ = kBlock - 1;
+    singles_[nextSingle_] = number();
+  }
+
+  void refillPairs() override {
+    nextPair_ = kBlock - 1;
+    pairsX_[nextPair_] = number();
+    pairsY_[nextPair_] = number();
+  }
+
+  float number() {
     ++(record.started.empty() ? record.stray : record.numbers);
-    number_ = source_();
-    next_ = &number_;
-    end_ = next_ + 1;
+    return source_();
   }
 
   std::function<float()> source_;
-  float number_ = 0.0f;
 };
 
 const SceneCore kNoScene;

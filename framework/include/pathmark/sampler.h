@@ -5,11 +5,15 @@
 //   next2D()      two numbers in [0,1)^2, to be used together
 //
 // A number may be 0 and is never 1; the largest is 1 - 2^-24. The numbers of one ray are used in
-// the order in which they are asked for, so that the framework can put better points than those
-// of a generator behind the same calls.
+// the order in which they are asked for, singles and pairs each in theirs: the k-th pair of every
+// ray is one set of points, spread evenly over the square, and so is the k-th single over the
+// interval. Use a pair for what belongs together, such as a point on a light.
 #pragma once
 
 #include <pathmark/types.h>
+
+#include <array>
+#include <cstddef>
 
 namespace pathmark {
 
@@ -22,21 +26,30 @@ class Sampler {
   virtual void startRay(int m) = 0;
 
   float next1D() {
-    if (next_ == end_) refill();
-    return *next_++;
+    if (nextSingle_ == kBlock) refillSingles();
+    return singles_[nextSingle_++];
   }
 
   vec2 next2D() {
-    const float x = next1D();
-    return {x, next1D()};
+    if (nextPair_ == kBlock) refillPairs();
+    const std::size_t k = nextPair_++;
+    return {pairsX_[k], pairsY_[k]};
   }
 
  protected:
-  // Makes [next_, end_) the following numbers of the current ray; at least one.
-  virtual void refill() = 0;
+  static constexpr std::size_t kBlock = 16;
 
-  const float* next_ = nullptr;
-  const float* end_ = nullptr;
+  // Make the following numbers of the current ray, at least one: those from nextSingle_ or
+  // nextPair_ on to the end of the block, which are then given out without a virtual call.
+  virtual void refillSingles() = 0;
+  virtual void refillPairs() = 0;
+
+  void forgetNumbers() { nextSingle_ = nextPair_ = kBlock; }
+
+  std::size_t nextSingle_ = kBlock, nextPair_ = kBlock;
+  alignas(64) std::array<float, kBlock> singles_{};
+  alignas(64) std::array<float, kBlock> pairsX_{};
+  alignas(64) std::array<float, kBlock> pairsY_{};
 };
 
 }  // namespace pathmark

@@ -11,18 +11,24 @@ class EdgeSampler final : public Sampler {
  public:
   void startRay(int m) override {
     order_ = Uniforms(static_cast<std::uint64_t>(m));
-    next_ = end_ = nullptr;
+    forgetNumbers();
   }
 
  private:
-  void refill() override {
-    number_ = kEdgeNumbers[order_.bits() % kEdgeNumbers.size()];
-    next_ = &number_;
-    end_ = next_ + 1;
+  void refillSingles() override {
+    nextSingle_ = kBlock - 1;
+    singles_[nextSingle_] = number();
   }
 
+  void refillPairs() override {
+    nextPair_ = kBlock - 1;
+    pairsX_[nextPair_] = number();
+    pairsY_[nextPair_] = number();
+  }
+
+  float number() { return kEdgeNumbers[order_.bits() % kEdgeNumbers.size()]; }
+
   Uniforms order_{0};
-  float number_ = 0.0f;
 };
 
 }  // namespace pathmark::testing
