@@ -24,11 +24,11 @@ struct RayShear {
   // much as eight triangles.
   RayShear(const Point& origin, const Vector& direction) {
     const float x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
-    constexpr std::uint8_t kLargest[8] = {0, 1, 0, 1, 0, 1, 2, 2};  // z only if above both
+    static constexpr std::uint8_t kLargest[8] = {0, 1, 0, 1, 0, 1, 2, 2};  // z only if above both
     kz = kLargest[unsigned{y >= x} | unsigned{z >= x} << 1 | unsigned{z >= y} << 2];
     const float* d = glm::value_ptr(direction);
     const float* o = glm::value_ptr(origin);
-    constexpr std::uint8_t kOthers[2][4] = {{1, 2, 0, 0}, {2, 0, 1, 0}};
+    static constexpr std::uint8_t kOthers[2][4] = {{1, 2, 0, 0}, {2, 0, 1, 0}};
     const unsigned negative = std::bit_cast<std::uint32_t>(d[kz]) >> 31;
     kx = kOthers[negative][kz];
     ky = kOthers[1 - negative][kz];

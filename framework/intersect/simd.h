@@ -4,7 +4,6 @@
 //   FloatV, kLanes   the vector
 //   LaneArray        memory for one
 //   load             memory -> vector
-//   mulAdd           a b + c, rounded once where the processor can
 //   NearestV         the nearest hit of each lane, and of all of them
 #pragma once
 
@@ -30,16 +29,6 @@ struct alignas(simd::memory_alignment_v<FloatV>) LaneArray {
 };
 
 inline FloatV load(const LaneArray& a) { return {a.lane, simd::vector_aligned}; }
-
-// The compiler contracts nothing by itself (see the flags); where one rounding or two make no
-// difference to what is tested, this is the shorter way.
-inline FloatV mulAdd(const FloatV& a, const FloatV& b, const FloatV& c) {
-#ifdef __FMA__
-  return simd::fma(a, b, c);
-#else
-  return a * b + c;
-#endif
-}
 
 // The nearest hit so far in each lane, and which primitive it is with.
 struct NearestV {

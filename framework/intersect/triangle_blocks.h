@@ -37,17 +37,26 @@ class TriangleBlocks {
   // partner has d = c, which is met by no ray.
   struct Block {
     LaneArray vertex[4][3];  // [corner][axis]; NaN where there is no triangle
+    LaneArray plane[2][4];   // n and w of n . p = w
     LaneArray smallestArea;  // signed projected area that a hit must exceed: culls backs
     LaneArray index[2];      // of the triangles in the scene
   };
+  struct Corner;
   struct Met;
 
+  static FloatV edge(const Corner& p, const Corner& q);
+  static FloatV planeDistance(const FloatV (&plane)[4], const Point& origin,
+                              const Vector& direction);
+  static FloatV firstDistance(const Block& block, const Point& origin, const Vector& direction);
+  static FloatV distance(const Block& block, const Met& met, const Point& origin,
+                         const Vector& direction);
+  // Inlined always: its vectors then stay in registers.
   template <bool kCulls>
-  static Met meet(const Block& block, const RayShear& shear);
+  [[gnu::always_inline]] static inline Met meet(const Block& block, const RayShear& shear);
   template <bool kCulls>
-  NearestV closest(const RayShear& shear, float tMax) const;
+  NearestV closestOf(const Ray& ray, float tMax) const;
   template <bool kCulls>
-  bool occluded(const RayShear& shear) const;
+  bool occludedOf(const Point& origin, const Vector& segment) const;
 
   std::vector<Block> blocks_;
   bool culls_ = false;  // whether any triangle has a front only
