@@ -6,13 +6,6 @@ namespace pathmark {
 
 namespace {
 
-// A point of one sequence of a family.
-struct Place {
-  SobolSampler::Family family;
-  std::uint32_t sequence = 0;
-  std::uint32_t reversedIndex = 0;
-};
-
 // The finaliser of Wellons' "Prospecting for Hash Functions", 2018, with better constants found
 // later by the same search: every bit of x reaches every bit of the hash.
 constexpr std::uint32_t hash(std::uint32_t x) {
@@ -21,73 +14,92 @@ constexpr std::uint32_t hash(std::uint32_t x) {
   return x ^ (x >> 15);
 }
 
-// Half of that, for keys that come from a hash already.
-constexpr std::uint32_t otherKey(std::uint32_t key, std::uint32_t multiplier) {
-  key = (key ^ (key >> 16)) * multiplier;
-  return key ^ (key >> 15);
+}  // namespace
+
+SobolSampler::SobolSampler(std::uint64_t seed, std::uint32_t raysPerPass)
+    : seed_(seed), raysPerPass_(raysPerPass) {
+  const std::size_t padded = (raysPerPass + kLanes - 1) / kLanes * kLanes;
+  filmX_.resize(padded);
+  filmY_.resize(padded);
 }
 
-// kCount points of as many sequences that follow one another. `film` takes the place of the first
-// point, if there is one. All of it is 32-bit arithmetic without branches, so that the loop becomes
-// vector code.
-template <std::uint32_t kCount, bool kFilm>
-void makePoints(const Place& first, const Place& film, float* __restrict x, float* __restrict y) {
-  for (std::uint32_t lane = 0; lane < kCount; ++lane) {
-    const bool isFilm = kFilm && lane == 0;
-    const std::uint32_t low = isFilm ? film.family.low : first.family.low;
-    const std::uint32_t high = isFilm ? film.family.high : first.family.high;
-    const std::uint32_t sequence = isFilm ? film.sequence : first.sequence + lane;
-    const std::uint32_t reversed = isFilm ? film.reversedIndex : first.reversedIndex;
+// This and makePoints are 32-bit arithmetic without branches, which becomes vector code.
+SobolSampler::Keys SobolSampler::keysOf(std::uint64_t family, std::uint32_t firstSequence) {
+  const auto low = static_cast<std::uint32_t>(family);
+  const auto high = static_cast<std::uint32_t>(family >> 32);
+  Keys keys;
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const std::uint32_t key = hash(low + (firstSequence + lane) * 0x9e3779b9u) ^ high;
+    keys.order[lane] = key;
+    keys.x[lane] = hash(key + 0x3c6ef372u);
+    keys.y[lane] = hash(key + 0xdaa66d2bu);
+  }
+  return keys;
+}
 
-    const std::uint32_t key = hash(low + sequence * 0x9e3779b9u) ^ high;
-    const std::uint32_t index = reverseBits(owenScramble(reversed, key));
-    x[lane] = unitFloat(owenScramble(index, otherKey(key, 0x7feb352du)));
-    y[lane] = unitFloat(owenScramble(secondSobol(index), otherKey(key, 0x846ca68bu)));
+// Point number `index` of each sequence.
+void SobolSampler::makePoints(const Keys& keys, std::uint32_t index, float* __restrict x,
+                              float* __restrict y) {
+  const std::uint32_t reversed = reverseBits(index);
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const std::uint32_t shuffled = reverseBits(owenScramble(reversed, keys.order[lane]));
+    x[lane] = unitFloat(owenScramble(shuffled, keys.x[lane]));
+    y[lane] = unitFloat(owenScramble(secondSobol(shuffled), keys.y[lane]));
   }
 }
-
-SobolSampler::Family familyFrom(std::uint64_t key) {
-  return {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)};
-}
-
-}  // namespace
 
 void SobolSampler::startPixel(int i, int j, std::uint64_t raysBefore) {
   const std::uint64_t key = mix(pixelKey(seed_, i, j) + (raysBefore >> 32));
-  filmFamily_ = familyFrom(mix(key + kGolden));
-  pairFamily_ = familyFrom(mix(key + 2 * kGolden));
-  singleFamily_ = familyFrom(mix(key + 3 * kGolden));
+  filmFamily_ = mix(key + kGolden);
+  pairFamily_ = mix(key + 2 * kGolden);
+  singleFamily_ = mix(key + 3 * kGolden);
+  for (std::uint32_t block = 0; block < firstPairs_.size(); ++block)
+    firstPairs_[block] = keysOf(pairFamily_, block * kLanes);
+  firstSingles_ = keysOf(singleFamily_, 0);
   raysBefore_ = raysBefore;
+  pass_ = static_cast<std::uint32_t>(raysBefore / raysPerPass_);
+  makeFilmPoints(pass_);
   startRay(0);
 }
 
+void SobolSampler::makeFilmPoints(std::uint32_t pass) {
+  filmPass_ = pass;
+  for (std::uint32_t m = 0; m < raysPerPass_; m += kLanes)
+    makePoints(keysOf(filmFamily_, m), pass, &filmX_[m], &filmY_[m]);
+}
+
 void SobolSampler::startRay(int m) {
-  const std::uint64_t ray = raysBefore_ + static_cast<std::uint64_t>(m);
-  ray_ = static_cast<std::uint32_t>(ray);
-  pass_ = static_cast<std::uint32_t>(ray / raysPerPass_);
-  rayOfPass_ = static_cast<std::uint32_t>(ray % raysPerPass_);
-  pairsMade_ = sequencesOfSingles_ = 0;
-  forgetNumbers();
+  auto rayOfPass = static_cast<std::uint32_t>(m);
+  std::uint32_t pass = pass_;
+  if (rayOfPass >= raysPerPass_) {
+    pass += rayOfPass / raysPerPass_;
+    rayOfPass %= raysPerPass_;
+  }
+  if (pass != filmPass_) makeFilmPoints(pass);
+  ray_ = static_cast<std::uint32_t>(raysBefore_ + static_cast<std::uint64_t>(m));
+  pairBlock_ = singleBlock_ = 0;
+  nextSingle_ = kBlock;
+  nextPair_ = kBlock - 1;
+  pairsX_[nextPair_] = filmX_[rayOfPass];
+  pairsY_[nextPair_] = filmY_[rayOfPass];
 }
 
 void SobolSampler::refillPairs() {
-  const Place first{pairFamily_, pairsMade_, reverseBits(ray_)};
-  if (pairsMade_ == 0) {
-    const Place film{filmFamily_, rayOfPass_, reverseBits(pass_)};
-    makePoints<kBlock, true>(first, film, pairsX_.data(), pairsY_.data());
-  } else {
-    makePoints<kBlock, false>(first, {}, pairsX_.data(), pairsY_.data());
-  }
-  pairsMade_ += kBlock;
-  nextPair_ = 0;
+  nextPair_ = kBlock - kLanes;
+  float *x = &pairsX_[nextPair_], *y = &pairsY_[nextPair_];
+  if (const std::uint32_t block = pairBlock_++; block < firstPairs_.size())
+    makePoints(firstPairs_[block], ray_, x, y);
+  else
+    makePoints(keysOf(pairFamily_, block * kLanes), ray_, x, y);
 }
 
 void SobolSampler::refillSingles() {
-  constexpr std::uint32_t kCount = kBlock / 2;
-  const Place first{singleFamily_, sequencesOfSingles_, reverseBits(ray_)};
-  makePoints<kCount, false>(first, {}, singles_.data(), singles_.data() + kCount);
-  sequencesOfSingles_ += kCount;
-  nextSingle_ = 0;
+  nextSingle_ = kBlock - 2 * kLanes;
+  float *x = &singles_[nextSingle_], *y = x + kLanes;
+  if (const std::uint32_t block = singleBlock_++; block == 0)
+    makePoints(firstSingles_, ray_, x, y);
+  else
+    makePoints(keysOf(singleFamily_, block * kLanes), ray_, x, y);
 }
 
 }  // namespace pathmark
