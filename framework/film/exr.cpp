@@ -87,6 +87,8 @@ void storeOrigin(Imf::Header& header, const ImageOrigin& origin) {
   header.insert("pathmark.raysPerPass", countAttribute(origin.raysPerPass));
   header.insert("pathmark.replicates", countAttribute(origin.replicates));
   header.insert("pathmark.seed", Imf::StringAttribute(fmt::format("{}", origin.seed)));
+  if (!origin.sampler.empty())
+    header.insert("pathmark.sampler", Imf::StringAttribute(origin.sampler));
   header.insert("pathmark.seconds", Imf::DoubleAttribute(origin.seconds));
 }
 
@@ -111,6 +113,7 @@ ImageOrigin originFrom(const Imf::Header& header) {
   find<Imf::StringAttribute>(header, "pathmark.sceneHash", origin.sceneHash);
   find<Imf::StringAttribute>(header, "pathmark.coursework", origin.coursework);
   find<Imf::StringAttribute>(header, "pathmark.seed", seed);
+  find<Imf::StringAttribute>(header, "pathmark.sampler", origin.sampler);
   find<Imf::DoubleAttribute>(header, "pathmark.raysPerPixel", origin.raysPerPixel);
   find<Imf::DoubleAttribute>(header, "pathmark.seconds", origin.seconds);
   origin.raysPerPass = countFrom(header, "pathmark.raysPerPass", origin.raysPerPass);

@@ -23,7 +23,8 @@ struct ImageOrigin {
   std::uint32_t raysPerPass = 0;
   std::uint32_t replicates = 1;
   std::uint64_t seed = 0;
-  double seconds = 0.0;  // of rendering
+  std::string sampler{};  // its name; empty if it is not known
+  double seconds = 0.0;   // of rendering
 };
 
 struct ImageFile {

@@ -25,12 +25,12 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::size_t kHashDigits = 32;
 constexpr char kMagic[8] = {'P', 'M', 'c', 'h', 'e', 'c', 'k', '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 struct Header {
   char magic[8];
   std::uint32_t version = kVersion;
-  std::uint32_t estimator = 0;
+  std::uint16_t estimator = 0, sampler = 0;
   char scene[kHashDigits];
   char coursework[kHashDigits];
   std::uint32_t width = 0, height = 0, maxBounces = 0, replicates = 0;
@@ -62,7 +62,8 @@ Header headerOf(const CheckpointIdentity& identity, const RenderState& state) {
   std::memset(header.coursework, 0, kHashDigits);
   identity.scene.copy(header.scene, kHashDigits);
   identity.coursework.copy(header.coursework, kHashDigits);
-  header.estimator = static_cast<std::uint32_t>(settings.estimator);
+  header.estimator = static_cast<std::uint16_t>(settings.estimator);
+  header.sampler = static_cast<std::uint16_t>(settings.sampler);
   header.width = static_cast<std::uint32_t>(settings.width);
   header.height = static_cast<std::uint32_t>(settings.height);
   header.maxBounces = identity.maxBounces;
@@ -90,6 +91,7 @@ Checkpoint checkpointOf(const Header& header) {
   identity.settings.replicates = header.replicates;
   identity.settings.seed = header.seed;
   identity.settings.estimator = static_cast<Estimator>(header.estimator);
+  identity.settings.sampler = static_cast<SamplerKind>(header.sampler);
   RenderState& state = checkpoint.state;
   state.replicate = header.replicate;
   state.firstRay = header.firstRay;
@@ -111,7 +113,8 @@ bool isPossible(const Header& header) {
       std::uint64_t{header.width} * header.height > kMostPixels ||
       !within(header.raysPerPixel, 1, kMostRays) ||
       !within(header.replicates, 1, header.raysPerPixel) ||
-      header.raysPerPixel % header.replicates != 0 || header.estimator > 1)
+      header.raysPerPixel % header.replicates != 0 || header.estimator > 1 ||
+      header.sampler >= kSamplerNames.size())
     return false;
   const RenderSettings settings = checkpointOf(header).identity.settings;
   const std::uint64_t each = settings.raysPerReplicate();

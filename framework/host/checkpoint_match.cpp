@@ -22,6 +22,8 @@ std::string differentSettings(const CheckpointIdentity& has, const CheckpointIde
     return fmt::format("its paths have up to {} bounces, not {}", has.maxBounces,
                        wanted.maxBounces);
   if (a.seed != b.seed) return fmt::format("its seed is {}, not {}", a.seed, b.seed);
+  if (a.sampler != b.sampler)
+    return fmt::format("its sampler is {}, not {}", nameOf(a.sampler), nameOf(b.sampler));
   if (a.estimator != b.estimator)
     return fmt::format("it was made {}, not {}", nameOf(a.estimator), nameOf(b.estimator));
   if (has.scene != wanted.scene) return "it is of another scene, or the scene has changed since";

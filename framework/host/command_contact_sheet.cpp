@@ -31,6 +31,7 @@ struct SheetArguments {
   std::string with;
   std::uint64_t raysPerPixel = 256;
   int thumbnail = 160;
+  std::string sampler = "sobol";
   std::string output = "contact_sheet.png";
 };
 
@@ -76,6 +77,7 @@ int renderTile(const Coursework& coursework, const fs::path& file, const SheetAr
   const LoadedScene scene = loadThumbnail(file, arguments.thumbnail);
   RenderOptions options;
   options.raysPerPixel = arguments.raysPerPixel;
+  options.sampler = findSampler(arguments.sampler);
   const RenderOutcome outcome = renderScene(coursework, scene, options);
   const RenderedImage& rendered = outcome.rendered;
   // Pixels that no ray has reached yet would look like pixels without a valid value.
@@ -122,6 +124,7 @@ std::vector<SheetTile> emptyTiles(const std::vector<fs::path>& files) {
 int contactSheet(const SheetArguments& arguments) {
   const std::vector<fs::path> files = findScenes(arguments.scenes);
   refuseOutput(arguments, files.size());
+  findSampler(arguments.sampler);
   const Coursework coursework =
       prepareCoursework(arguments.with.empty() ? defaultCoursework() : arguments.with);
   fmt::print("{:<24} {:>9} {:>14} {:>8} {:>8}\n", "scene", "pixels", "rays per pixel", "seconds",
@@ -164,6 +167,7 @@ void addContactSheetCommand(CLI::App& app, CommandAction& action) {
   takesWholeNumber(command->add_option("--thumbnail", arguments->thumbnail,
                                        "Longer side of each picture in pixels (default: 160)"),
                    16, 1024);
+  addSamplerOption(*command, arguments->sampler);
   command
       ->add_option("--output", arguments->output,
                    "The .png file to write (default: contact_sheet.png)")

@@ -36,6 +36,7 @@ struct ReferenceArguments {
   std::vector<std::string> scenes;
   std::uint64_t raysPerPixel = 1024;
   std::uint32_t replicates = 16;
+  std::string sampler = "sobol";
   bool check = false;
   bool again = false;
 };
@@ -90,6 +91,7 @@ int make(const Coursework& coursework, const LoadedScene& scene,
   request.options.raysPerPixel = arguments.raysPerPixel;
   request.options.replicates = arguments.replicates;
   request.options.seed = kSeed;
+  request.options.sampler = findSampler(arguments.sampler);
   request.checkpoints.resume = fs::exists(request.output.string() + ".checkpoint");
   std::optional<ImageFile> rendered = readRendered(request.output, scene, arguments);
   if (!rendered) {
@@ -132,6 +134,7 @@ bool printAll(const std::vector<std::string>& scenes) {
 
 int reference(ReferenceArguments& arguments) {
   refuseUnequalReplicates(arguments.raysPerPixel, arguments.replicates);
+  findSampler(arguments.sampler);
   if (arguments.scenes.empty()) arguments.scenes = shippedSceneNames();
   if (!arguments.check) {
     if (const int code = makeAll(arguments); code != kSuccess) return code;
@@ -156,6 +159,7 @@ void addReferenceCommand(CLI::App& app, CommandAction& action) {
                                        "Independent parts that the error is measured between "
                                        "(default: 16)"),
                    2, 1024);
+  addSamplerOption(*command, arguments->sampler);
   command->add_flag("--check", arguments->check,
                     "Make nothing; say which references there are and how good they are");
   command->add_flag("--again", arguments->again, "Make also those that are there already");

@@ -22,6 +22,7 @@ struct RenderArguments {
   std::string scene;
   std::string with = "student";
   std::string size;
+  std::string sampler = "sobol";
   std::string output;
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
@@ -75,6 +76,7 @@ int render(RenderArguments& arguments) {
   RenderOptions& options = arguments.picture.options;
   options.raysPerPixel = static_cast<std::uint64_t>(
       arguments.raysPerPixel > 0 ? arguments.raysPerPixel : scene.raysPerPixel);
+  options.sampler = findSampler(arguments.sampler);
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.output.empty())
@@ -135,6 +137,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
   takesWholeNumber(command->add_option("--seed", arguments->picture.options.seed,
                                        "Seed of the random numbers (default: 0)"),
                    0, std::numeric_limits<std::int64_t>::max());
+  addSamplerOption(*command, arguments->sampler);
   command
       ->add_option(
           "--output", arguments->output,

@@ -20,6 +20,7 @@ Json imageJson(const std::filesystem::path& name, const ImageFile& file, const F
           {"replicates", origin.replicates},
           // JSON numbers are doubles to many readers.
           {"seed", std::to_string(origin.seed)},
+          {"sampler", origin.sampler},
           {"hasVariance", !file.image.variance.empty()},
           {"invalidPixels", flaws.invalid},
           {"nanPixels", flaws.nan},

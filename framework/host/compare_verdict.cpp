@@ -100,7 +100,9 @@ std::vector<std::string> compareNotes(const CompareReport& report) {
         fmt::format("They are of different scenes: {} and {}, or another version, size "
                     "or number of bounces.",
                     printable(a.scene), printable(b.scene)));
-  const bool sameRays = !a.sceneHash.empty() && a.sceneHash == b.sceneHash && a.seed == b.seed;
+  const bool otherPoints = !a.sampler.empty() && !b.sampler.empty() && a.sampler != b.sampler;
+  const bool sameRays =
+      !a.sceneHash.empty() && a.sceneHash == b.sceneHash && a.seed == b.seed && !otherPoints;
   if (sameRays && comparison.replicates.any() && !comparison.equal)
     notes.push_back(fmt::format(
         "Both are of seed {}: noise that they have in common makes z too small, but never too "

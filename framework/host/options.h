@@ -35,4 +35,14 @@ inline void takesSeconds(CLI::Option* option, double low, double high) {
   option->check(CLI::Validator(check, ""))->type_name("SECONDS");
 }
 
+// --sampler NAME, for findSampler.
+inline void addSamplerOption(CLI::App& command, std::string& name) {
+  command
+      .add_option("--sampler", name,
+                  "Kind of random numbers: sobol (default), stratified or pcg; handouts/README.md "
+                  "tells the "
+                  "difference")
+      ->type_name("NAME");
+}
+
 }  // namespace pathmark

@@ -40,6 +40,7 @@ ImageOrigin originOf(const Coursework& coursework, const LoadedScene& scene,
   origin.raysPerPass = settings.raysPerPass();
   origin.replicates = settings.replicates;
   origin.seed = settings.seed;
+  origin.sampler = nameOf(settings.sampler);
   origin.seconds = rendered.seconds;
   return origin;
 }

@@ -58,6 +58,7 @@ bool finished(const RenderSettings& settings, const RenderState& state) {
 RenderJob nextJob(const RenderSettings& settings, const RenderState& state, double pixelPasses) {
   RenderJob job;
   job.estimator = settings.estimator;
+  job.sampler = settings.sampler;
   job.threads = settings.threads;
   job.seed = replicateSeed(settings.seed, state.replicate);
   job.firstRay = state.firstRay;

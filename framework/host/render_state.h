@@ -20,6 +20,7 @@ struct RenderSettings {
   std::uint32_t replicates = 1;     // independent films that the rays are made in
   std::uint32_t threads = 1;
   std::uint64_t seed = 0;
+  SamplerKind sampler = SamplerKind::kSobol;
   Estimator estimator = Estimator::kPath;
 
   std::uint64_t raysPerReplicate() const { return raysPerPixel / replicates; }

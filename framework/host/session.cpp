@@ -89,6 +89,12 @@ fs::path findScene(const std::string& scene) {
                   fmt::join(names, ", "), didYouMean(scene, views)));
 }
 
+SamplerKind findSampler(const std::string& name) {
+  if (const std::optional<SamplerKind> kind = samplerNamed(name)) return *kind;
+  throw UsageError(
+      fmt::format("--sampler {}: it is one of {}.", name, fmt::join(kSamplerNames, ", ")));
+}
+
 std::string sceneHash(const LoadedScene& scene) { return contentHash(packScene(scene.flat)); }
 
 RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options) {
@@ -101,6 +107,7 @@ RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& option
       options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   settings.threads = std::min<std::uint32_t>(settings.threads, kMaxThreads);
   settings.seed = options.seed;
+  settings.sampler = options.sampler;
   settings.estimator = options.warmUp ? Estimator::kWarmUp : Estimator::kPath;
   return settings;
 }

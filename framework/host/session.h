@@ -59,9 +59,13 @@ struct RenderOptions {
   std::uint32_t replicates = 1;
   std::uint32_t threads = 0;  // 0: one for each processor
   std::uint64_t seed = 0;
+  SamplerKind sampler = SamplerKind::kSobol;
   bool warmUp = false;
   double secondsWithoutAnswer = 10.0;
 };
+
+// The sampler of this name; throws UsageError if there is none.
+SamplerKind findSampler(const std::string& name);
 
 // A content hash of the scene as a worker gets it.
 std::string sceneHash(const LoadedScene& scene);

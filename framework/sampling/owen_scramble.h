@@ -3,6 +3,7 @@
 //   reverseBits     a number as digits from the other end
 //   owenScramble    a nested uniform scrambling, chosen by a key
 //   secondSobol     the second coordinate of a Sobol point
+//   hash            for keys
 //   unitFloat       [0,1) from digits
 //
 // A fraction is kept as its binary digits from the least significant bit on ("reversed"): bit 0 is
@@ -45,6 +46,14 @@ constexpr std::uint32_t secondSobol(std::uint32_t index) {
   index ^= (index >> 4) & 0x0f0f0f0fu;
   index ^= (index >> 8) & 0x00ff00ffu;
   return index ^ (index >> 16);
+}
+
+// The finaliser of Wellons' "Prospecting for Hash Functions", 2018, with better constants found
+// later by the same search: every bit of x reaches every bit of the hash.
+constexpr std::uint32_t hash(std::uint32_t x) {
+  x = (x ^ (x >> 16)) * 0x21f0aaadu;
+  x = (x ^ (x >> 15)) * 0xd35a2d97u;
+  return x ^ (x >> 15);
 }
 
 // Of a reversed fraction, cut to 24 digits: 32 bits times 2^-32 can round to 1 in float.

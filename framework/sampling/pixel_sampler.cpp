@@ -2,6 +2,7 @@
 
 #include "sampling/pcg_sampler.h"
 #include "sampling/sobol_sampler.h"
+#include "sampling/stratified_sampler.h"
 
 namespace pathmark {
 
@@ -10,6 +11,8 @@ std::unique_ptr<PixelSampler> makePixelSampler(SamplerKind kind, std::uint64_t s
   switch (kind) {
     case SamplerKind::kPcg:
       return std::make_unique<PcgSampler>(seed);
+    case SamplerKind::kStratified:
+      return std::make_unique<StratifiedSampler>(seed, raysPerPass);
     default:
       return std::make_unique<SobolSampler>(seed, raysPerPass);
   }
