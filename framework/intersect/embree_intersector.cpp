@@ -1,5 +1,7 @@
 #include "intersect/embree_intersector.h"
 
+#include "intersect/plane_distance.h"
+
 #if PATHMARK_EMBREE == 4
 #include <embree4/rtcore.h>
 #else
@@ -32,6 +34,24 @@ void passThroughBacks(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+// The backs, and hits that only rounding has put on the segment.
+void passThroughRounding(const RTCFilterFunctionNArguments* arguments) {
+  passThroughBacks(arguments);
+  const auto& scene = *static_cast<const FlatSceneView*>(arguments->geometryUserPtr);
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const Point origin(RTCRayN_org_x(arguments->ray, arguments->N, i),
+                       RTCRayN_org_y(arguments->ray, arguments->N, i),
+                       RTCRayN_org_z(arguments->ray, arguments->N, i));
+    const Vector segment(RTCRayN_dir_x(arguments->ray, arguments->N, i),
+                         RTCRayN_dir_y(arguments->ray, arguments->N, i),
+                         RTCRayN_dir_z(arguments->ray, arguments->N, i));
+    const unsigned index = RTCHitN_primID(arguments->hit, arguments->N, i);
+    const double t = planeDistance(scene.corners(scene.triangles[index]), origin, segment);
+    if (!(t > 0.0 && t < 1.0)) arguments->valid[i] = 0;
+  }
+}
+
 bool hasFrontOnly(const FlatSceneView& scene) {
   return std::any_of(scene.shapes.begin(), scene.shapes.end(),
                      [](const FlatShape& s) { return s.frontOnly != 0; });
@@ -47,11 +67,9 @@ void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              view.triangles.data(), offsetof(FlatTriangle, vertex),
                              sizeof(FlatTriangle), view.triangles.size());
-  if (hasFrontOnly(view)) {
-    rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
-    rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
-    rtcSetGeometryOccludedFilterFunction(geometry, passThroughBacks);
-  }
+  rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
+  if (hasFrontOnly(view)) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
+  rtcSetGeometryOccludedFilterFunction(geometry, passThroughRounding);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -62,7 +80,7 @@ bool isFinite(const Point& origin, const Vector& direction) {
   return std::isfinite(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z);
 }
 
-RTCRay rayFrom(const Point& origin, const Vector& direction, float tMax) {
+RTCRay rayFrom(const Point& origin, const Vector& direction, float tMin, float tMax) {
   RTCRay ray{};
   ray.org_x = origin.x;
   ray.org_y = origin.y;
@@ -70,7 +88,7 @@ RTCRay rayFrom(const Point& origin, const Vector& direction, float tMax) {
   ray.dir_x = direction.x;
   ray.dir_y = direction.y;
   ray.dir_z = direction.z;
-  ray.tnear = std::numeric_limits<float>::min();  // Embree would accept a hit at 0
+  ray.tnear = tMin;
   ray.tfar = tMax;
   ray.mask = ~0u;
   return ray;
@@ -98,26 +116,33 @@ EmbreeIntersector::~EmbreeIntersector() = default;
 
 bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) const {
   if (!isFinite(ray.origin, ray.direction)) return false;
-  RTCRayHit query{rayFrom(ray.origin, ray.direction, tMax), {}};
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  float tMin = std::numeric_limits<float>::min();  // Embree would accept a hit at 0
+  for (;;) {
+    RTCRayHit query{rayFrom(ray.origin, ray.direction, tMin, tMax), {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 #if PATHMARK_EMBREE == 4
-  rtcIntersect1(scene_.get(), &query);
+    rtcIntersect1(scene_.get(), &query);
 #else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_.get(), &context, &query);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene_.get(), &context, &query);
 #endif
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  hit.t = query.ray.tfar;
-  hit.index = query.hit.primID;
-  hit.isSphere = false;
-  hit.barycentric = {(1.0f - query.hit.u) - query.hit.v, query.hit.u, query.hit.v};
-  return true;
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    const FlatTriangle& triangle = view_->triangles[query.hit.primID];
+    if (planeDistance(view_->corners(triangle), ray.origin, ray.direction) > 0.0) {
+      hit.t = query.ray.tfar;
+      hit.index = query.hit.primID;
+      hit.isSphere = false;
+      hit.barycentric = {(1.0f - query.hit.u) - query.hit.v, query.hit.u, query.hit.v};
+      return true;
+    }
+    tMin = std::nextafter(query.ray.tfar, std::numeric_limits<float>::infinity());
+  }
 }
 
 bool EmbreeIntersector::occluded(const Point& origin, const Vector& segment) const {
   if (!isFinite(origin, segment)) return false;
-  RTCRay ray = rayFrom(origin, segment, 1.0f);
+  RTCRay ray = rayFrom(origin, segment, std::numeric_limits<float>::min(), 1.0f);
 #if PATHMARK_EMBREE == 4
   rtcOccluded1(scene_.get(), &ray);
 #else

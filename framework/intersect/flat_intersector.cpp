@@ -1,5 +1,7 @@
 #include "intersect/flat_intersector.h"
 
+#include "intersect/plane_distance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,6 +55,10 @@ FlatIntersector::FlatIntersector(const FlatSceneView& scene)
     const bool frontOnly = present && scene.shapes[scene.triangles[i].shape].frontOnly != 0;
     block.smallestArea[lane] = frontOnly ? 0.0f : -kInfinity;
   }
+  for (const FlatTriangle& t : scene.triangles) {
+    thin_.push_back(isThin(scene.corners(t)));
+    anyThin_ = anyThin_ || thin_.back();
+  }
   for (const FlatSphere& s : scene.spheres) {
     const bool frontOnly = scene.shapes[s.shape].frontOnly != 0, inward = s.inward != 0;
     spheres_.push_back({Point(s.centre[0], s.centre[1], s.centre[2]), s.radius, frontOnly && inward,
@@ -60,10 +66,10 @@ FlatIntersector::FlatIntersector(const FlatSceneView& scene)
   }
 }
 
-// Sets t of each lane to its hit in (0, tMax), or to infinity. Written without branches over
+// Sets t of each lane to its hit in (tMin, tMax), or to infinity. Written without branches over
 // plain arrays, which the compiler turns into vector instructions.
-void FlatIntersector::intersectBlock(const TriangleBlock& block, const Shear& r, float tMax,
-                                     float (&t)[kLanes]) {
+void FlatIntersector::intersectBlock(const TriangleBlock& block, const Shear& r, float tMin,
+                                     float tMax, float (&t)[kLanes]) {
   const auto& a = block.vertex[0];
   const auto& b = block.vertex[1];
   const auto& c = block.vertex[2];
@@ -78,7 +84,7 @@ void FlatIntersector::intersectBlock(const TriangleBlock& block, const Shear& r,
     const bool sameSide =
         ((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f));
     const bool hit = sameSide & (area != 0.0f) & (area > block.smallestArea[i]) &
-                     (distance > 0.0f) & (distance < tMax);
+                     (distance > tMin) & (distance < tMax);
     t[i] = hit ? distance : kInfinity;
   }
 }
@@ -102,6 +108,15 @@ float FlatIntersector::intersectSphere(const SphereRecord& sphere, const Point& 
   return kInfinity;
 }
 
+std::array<Float3, 3> FlatIntersector::corners(std::uint32_t triangle) const {
+  const TriangleBlock& block = blocks_[triangle / kLanes];
+  std::array<Float3, 3> result{};
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result[corner][axis] = block.vertex[corner][axis][triangle % kLanes];
+  return result;
+}
+
 Vector FlatIntersector::barycentrics(std::uint32_t triangle, const Shear& r) const {
   const TriangleBlock& block = blocks_[triangle / kLanes];
   const std::uint32_t lane = triangle % kLanes;
@@ -116,14 +131,14 @@ Vector FlatIntersector::barycentrics(std::uint32_t triangle, const Shear& r) con
   return areas / (areas.x + areas.y + areas.z);
 }
 
-bool FlatIntersector::closest(const Ray& ray, PrimitiveHit& hit) const {
-  const Shear shear(ray.origin, ray.direction);
+bool FlatIntersector::nearest(const Ray& ray, const Shear& shear, float tMin,
+                              PrimitiveHit& hit) const {
   float best[kLanes];
   std::uint32_t bestBlock[kLanes] = {};
   for (float& t : best) t = kInfinity;
   for (std::uint32_t k = 0; k < blocks_.size(); ++k) {
     float t[kLanes];
-    intersectBlock(blocks_[k], shear, kInfinity, t);
+    intersectBlock(blocks_[k], shear, tMin, kInfinity, t);
     for (int i = 0; i < kLanes; ++i) {
       bestBlock[i] = t[i] < best[i] ? k : bestBlock[i];
       best[i] = t[i] < best[i] ? t[i] : best[i];
@@ -145,21 +160,41 @@ bool FlatIntersector::closest(const Ray& ray, PrimitiveHit& hit) const {
       hit.isSphere = true;
     }
   }
-  if (!(hit.t < kInfinity)) return false;
-  if (!hit.isSphere) hit.barycentric = barycentrics(hit.index, shear);
-  return true;
+  return hit.t < kInfinity;
+}
+
+// Nothing lies between the origin and a hit that turns out to be behind it.
+bool FlatIntersector::closest(const Ray& ray, PrimitiveHit& hit) const {
+  const Shear shear(ray.origin, ray.direction);
+  float tMin = 0.0f;
+  while (nearest(ray, shear, tMin, hit)) {
+    if (hit.isSphere) return true;
+    if (!thin_[hit.index] || planeDistance(corners(hit.index), ray.origin, ray.direction) > 0.0) {
+      hit.barycentric = barycentrics(hit.index, shear);
+      return true;
+    }
+    tMin = hit.t;
+  }
+  return false;
 }
 
 bool FlatIntersector::occluded(const Point& origin, const Vector& segment) const {
   for (const SphereRecord& sphere : spheres_)
     if (intersectSphere(sphere, origin, segment, 1.0f) < kInfinity) return true;
   const Shear shear(origin, segment);
-  for (const TriangleBlock& block : blocks_) {
+  for (std::uint32_t k = 0; k < blocks_.size(); ++k) {
     float t[kLanes];
-    intersectBlock(block, shear, 1.0f, t);
+    intersectBlock(blocks_[k], shear, 0.0f, 1.0f, t);
     float nearest = kInfinity;
     for (const float lane : t) nearest = std::min(nearest, lane);
-    if (nearest < kInfinity) return true;
+    if (!(nearest < kInfinity)) continue;
+    if (!anyThin_) return true;
+    for (std::uint32_t i = 0; i < kLanes; ++i) {
+      if (!(t[i] < kInfinity)) continue;
+      if (!thin_[k * kLanes + i]) return true;
+      const double exact = planeDistance(corners(k * kLanes + i), origin, segment);
+      if (exact > 0.0 && exact < 1.0) return true;
+    }
   }
   return false;
 }

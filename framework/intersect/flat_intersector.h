@@ -13,6 +13,7 @@
 
 #include <pathmark/types.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -45,13 +46,17 @@ class FlatIntersector {
 
   struct Shear;
 
-  static void intersectBlock(const TriangleBlock& block, const Shear& shear, float tMax,
+  static void intersectBlock(const TriangleBlock& block, const Shear& shear, float tMin, float tMax,
                              float (&t)[kLanes]);
   static float intersectSphere(const SphereRecord& sphere, const Point& origin,
                                const Vector& direction, float tMax);
+  bool nearest(const Ray& ray, const Shear& shear, float tMin, PrimitiveHit& hit) const;
   Vector barycentrics(std::uint32_t triangle, const Shear& shear) const;
+  std::array<Float3, 3> corners(std::uint32_t triangle) const;
 
   std::vector<TriangleBlock> blocks_;
+  std::vector<bool> thin_;  // triangles whose hits are asked again in double
+  bool anyThin_ = false;
   std::vector<SphereRecord> spheres_;
 };
 

@@ -1,6 +1,7 @@
 // Rays that leave a surface: with a fixed epsilon they meet it again in large scenes and step over
 // what is near in small ones.
 #include "intersect/flat_intersector.h"
+#include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_scene.h"
 #include "tests/support/uniforms.h"
@@ -130,6 +131,80 @@ TEST(Trap, ShadowRayEndsBeforeItsLight) {
                double(naive) / rays, double(shipped) / rays, 0.0);
   }
 }
+
+// A triangle of length 1 and this height, at random.
+std::vector<Point> thinTriangle(double height, Uniforms& random) {
+  const auto point = [&] {
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    return glm::dvec3(x, y, random.between(-1, 1));
+  };
+  const glm::dvec3 a = point(), b = point(), c = a + 0.5 * (b - a) + height * point();
+  return {Point(a), Point(b), Point(c)};
+}
+
+// Moeller & Trumbore.
+bool naiveMeets(const Ray& ray, const std::vector<Point>& p) {
+  const Vector e1 = p[1] - p[0], e2 = p[2] - p[0], q = cross(ray.direction, e2);
+  const float determinant = dot(e1, q);
+  if (determinant == 0.0f) return false;
+  const Vector s = ray.origin - p[0], r = cross(s, e1);
+  const float b1 = dot(s, q) / determinant, b2 = dot(ray.direction, r) / determinant;
+  return b1 >= 0.0f && b2 >= 0.0f && b1 + b2 <= 1.0f && dot(e2, r) / determinant > 0.0f;
+}
+
+// One triangle, and as many out of sight as it takes for the other intersector.
+class ThinTriangle : public ::testing::TestWithParam<int> {
+ protected:
+  TestScene scene(const std::vector<Point>& triangle) const {
+    SceneBuilder builder;
+    builder.polygon(kLamp, triangle);
+    for (int k = 0; k < GetParam(); ++k)
+      builder.parallelogram(kGrey, {50, 50, 50 + float(k)}, {1, 0, 0}, {0, 1, 0});
+    return TestScene(builder);
+  }
+};
+
+TEST_P(ThinTriangle, IsLeftAndLitAsAnyOther) {
+  for (const double height : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    Uniforms random(1605);
+    int left = 0, naive = 0, shipped = 0, lit = 0, hidden = 0;
+    for (int k = 0; k < 500; ++k) {
+      const std::vector<Point> p = thinTriangle(height, random);
+      const TestScene thin = scene(p);
+      const LitScene world = thin.lit(1);
+      for (int i = 0; i < 50; ++i) {
+        const float u = 0.05f + 0.4f * random.next(), v = 0.05f + 0.4f * random.next();
+        const Point target = p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
+        const Point from = target + randomUnit(random);
+
+        // Towards the lamp, which must not hide itself.
+        const LightSample y = world.lights()[0].sample(from, random.next(), random.next());
+        Hit receiver;
+        receiver.p = from;
+        receiver.n = normalize(y.p - from);
+        if (dot(receiver.n, y.n) < -1e-2f) {
+          ++lit;
+          hidden += world.visible(receiver, y) ? 0 : 1;
+        }
+
+        Hit hit, again;
+        if (!world.intersect({from, normalize(target - from)}, hit) || hit.emission.x == 0.0f)
+          continue;
+        ++left;
+        const Ray ray = hit.spawnRay(randomUnit(random));
+        naive += naiveMeets(ray, p) ? 1 : 0;
+        shipped += world.intersect(ray, again) && again.emission.x > 0.0f ? 1 : 0;
+      }
+    }
+    ASSERT_GT(left, 20000);
+    ASSERT_GT(lit, 5000);
+    EXPECT_EQ(hidden, 0) << "height " << height;
+    expectTrap("share that meets its surface, height " + std::to_string(height),
+               double(naive) / left, double(shipped) / left, 0.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Trap, ThinTriangle, ::testing::Values(0, 40));
 
 // The distance of a hit point from its plane, relative to the bound that it comes with. Rays come
 // from afar.
