@@ -41,7 +41,7 @@ RenderJob wholeImage(const TestScene& scene) {
   return job;
 }
 
-// The inside of a sphere that shines with radiance 1 or so: every ray brings the same.
+// The inside of a sphere that shines: every ray brings the same.
 TestScene evenLight(float radiance) {
   SceneBuilder builder;
   builder.sphere({.emission = Colour(radiance)}, {0, 0, 0}, 2.0f, true);
@@ -135,7 +135,8 @@ TEST(Trap, ImageHasTheSameBitsForAnyOrderOfTilesAndThreads) {
     }
     shippedDifferent += sameBits(film, whole) ? 0 : 1;
   }
-  expectTrap("pictures or pixels that differ", naiveDifferent, shippedDifferent, 0.0);
+  expectTrap("pixels of the naive film, or pictures, that differ", naiveDifferent, shippedDifferent,
+             0.0);
 }
 
 bool keepsDenormals() {
