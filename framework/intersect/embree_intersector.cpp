@@ -16,19 +16,55 @@ namespace pathmark {
 
 namespace {
 
-// Rays pass through the backs of shapes that say so.
+// Where the ray meets the triangle's plane, in lengths of its direction. Embree interpolates
+// distances by quotients of areas, which loses as many digits as a triangle is longer than high.
+float planeDistance(const FlatSceneView& scene, const FlatTriangle& triangle, const Point& origin,
+                    const Vector& direction) {
+  const Float3& corner = scene.vertices[triangle.vertex[0]];
+  const Vector n(triangle.normal[0], triangle.normal[1], triangle.normal[2]);
+  return dot(Point(corner[0], corner[1], corner[2]) - origin, n) / dot(direction, n);
+}
+
+// A hit that Embree has found and asks about.
+struct Candidate {
+  const FlatSceneView& scene;
+  const FlatTriangle& triangle;
+  Point origin;
+  Vector direction;
+
+  Candidate(const RTCFilterFunctionNArguments& arguments, unsigned i)
+      : scene(*static_cast<const FlatSceneView*>(arguments.geometryUserPtr)),
+        triangle(scene.triangles[RTCHitN_primID(arguments.hit, arguments.N, i)]),
+        origin(RTCRayN_org_x(arguments.ray, arguments.N, i),
+               RTCRayN_org_y(arguments.ray, arguments.N, i),
+               RTCRayN_org_z(arguments.ray, arguments.N, i)),
+        direction(RTCRayN_dir_x(arguments.ray, arguments.N, i),
+                  RTCRayN_dir_y(arguments.ray, arguments.N, i),
+                  RTCRayN_dir_z(arguments.ray, arguments.N, i)) {}
+
+  // Rays pass through the backs of shapes that say so.
+  bool isThere() const {
+    const Vector n(triangle.normal[0], triangle.normal[1], triangle.normal[2]);
+    return scene.shapes[triangle.shape].frontOnly == 0 || dot(direction, n) < 0.0f;
+  }
+
+  // Not put onto the segment by rounding only.
+  bool isOnSegment() const {
+    const float t = planeDistance(scene, triangle, origin, direction);
+    return t > 0.0f && t < 1.0f;
+  }
+};
+
 void passThroughBacks(const RTCFilterFunctionNArguments* arguments) {
-  const auto& scene = *static_cast<const FlatSceneView*>(arguments->geometryUserPtr);
+  for (unsigned i = 0; i < arguments->N; ++i)
+    if (arguments->valid[i] != 0 && !Candidate(*arguments, i).isThere()) arguments->valid[i] = 0;
+}
+
+void passThroughBacksAndRounding(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned i = 0; i < arguments->N; ++i) {
     if (arguments->valid[i] == 0) continue;
-    const unsigned index = RTCHitN_primID(arguments->hit, arguments->N, i);
-    const FlatTriangle& triangle = scene.triangles[index];
-    const Vector direction(RTCRayN_dir_x(arguments->ray, arguments->N, i),
-                           RTCRayN_dir_y(arguments->ray, arguments->N, i),
-                           RTCRayN_dir_z(arguments->ray, arguments->N, i));
-    const Vector n(triangle.normal[0], triangle.normal[1], triangle.normal[2]);
-    if (scene.shapes[triangle.shape].frontOnly != 0 && dot(direction, n) >= 0.0f)
-      arguments->valid[i] = 0;
+    const Candidate candidate(*arguments, i);
+    if (!candidate.isThere() || !candidate.isOnSegment()) arguments->valid[i] = 0;
   }
 }
 
@@ -47,11 +83,9 @@ void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              view.triangles.data(), offsetof(FlatTriangle, vertex),
                              sizeof(FlatTriangle), view.triangles.size());
-  if (hasFrontOnly(view)) {
-    rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
-    rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
-    rtcSetGeometryOccludedFilterFunction(geometry, passThroughBacks);
-  }
+  rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
+  if (hasFrontOnly(view)) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
+  rtcSetGeometryOccludedFilterFunction(geometry, passThroughBacksAndRounding);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -62,7 +96,9 @@ bool isFinite(const Point& origin, const Vector& direction) {
   return std::isfinite(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z);
 }
 
-RTCRay rayFrom(const Point& origin, const Vector& direction, float tMax) {
+constexpr float kNearest = std::numeric_limits<float>::min();  // Embree would accept a hit at 0
+
+RTCRay rayFrom(const Point& origin, const Vector& direction, float tMin, float tMax) {
   RTCRay ray{};
   ray.org_x = origin.x;
   ray.org_y = origin.y;
@@ -70,7 +106,7 @@ RTCRay rayFrom(const Point& origin, const Vector& direction, float tMax) {
   ray.dir_x = direction.x;
   ray.dir_y = direction.y;
   ray.dir_z = direction.z;
-  ray.tnear = std::numeric_limits<float>::min();  // Embree would accept a hit at 0
+  ray.tnear = tMin;
   ray.tfar = tMax;
   ray.mask = ~0u;
   return ray;
@@ -98,25 +134,30 @@ EmbreeIntersector::~EmbreeIntersector() = default;
 
 bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) const {
   if (!isFinite(ray.origin, ray.direction)) return false;
-  RTCRayHit query{rayFrom(ray.origin, ray.direction, tMax), {}};
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  for (float tMin = kNearest;;) {
+    RTCRayHit query{rayFrom(ray.origin, ray.direction, tMin, tMax), {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 #if PATHMARK_EMBREE == 4
-  rtcIntersect1(scene_.get(), &query);
+    rtcIntersect1(scene_.get(), &query);
 #else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_.get(), &context, &query);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene_.get(), &context, &query);
 #endif
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  hit.t = query.ray.tfar;
-  hit.index = query.hit.primID;
-  hit.isSphere = false;
-  return true;
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    const FlatTriangle& triangle = view_->triangles[query.hit.primID];
+    if (planeDistance(*view_, triangle, ray.origin, ray.direction) > 0.0f) {
+      hit = {query.ray.tfar, query.hit.primID, false};
+      return true;
+    }
+    // Behind the origin, but for rounding.
+    tMin = std::nextafter(query.ray.tfar, std::numeric_limits<float>::infinity());
+  }
 }
 
 bool EmbreeIntersector::occluded(const Point& origin, const Vector& segment) const {
   if (!isFinite(origin, segment)) return false;
-  RTCRay ray = rayFrom(origin, segment, 1.0f);
+  RTCRay ray = rayFrom(origin, segment, kNearest, 1.0f);
 #if PATHMARK_EMBREE == 4
   rtcOccluded1(scene_.get(), &ray);
 #else

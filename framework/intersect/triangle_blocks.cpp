@@ -8,14 +8,14 @@ namespace pathmark {
 
 namespace {
 
-// n and w of the plane n . p = w, of the corners as they are in float: the normal of a thin
-// triangle in the scene may be that of corners that were not rounded yet.
-std::array<float, 4> planeOf(const std::array<Float3, 3>& corners) {
+// Of the corners as they are in float: the normal of a thin triangle in the scene may be that of
+// corners that were not rounded yet.
+Float3 normalOf(const std::array<Float3, 3>& corners) {
   const auto corner = [&](std::size_t k) {
     return glm::dvec3(corners[k][0], corners[k][1], corners[k][2]);
   };
   const Vector n(glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0))));
-  return {n.x, n.y, n.z, static_cast<float>(glm::dot(glm::dvec3(n), corner(0)))};
+  return {n.x, n.y, n.z};
 }
 
 }  // namespace
@@ -33,9 +33,9 @@ TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
         block.vertex[corner][axis].lane[lane] = present ? pairs[i].corner[corner][axis] : kNaN;
     for (std::size_t k = 0; k < 2; ++k) {
       block.index[k].lane[lane] = present ? static_cast<float>(pairs[i].triangle[k]) : 0.0f;
-      const auto plane = present ? planeOf(scene.corners(scene.triangles[pairs[i].triangle[k]]))
-                                 : std::array{kNaN, kNaN, kNaN, kNaN};
-      for (std::size_t c = 0; c < 4; ++c) block.plane[k][c].lane[lane] = plane[c];
+      const Float3 n = present ? normalOf(scene.corners(scene.triangles[pairs[i].triangle[k]]))
+                               : Float3{kNaN, kNaN, kNaN};
+      for (std::size_t axis = 0; axis < 3; ++axis) block.normal[k][axis].lane[lane] = n[axis];
     }
     const bool frontOnly =
         present && scene.shapes[scene.triangles[pairs[i].triangle[0]].shape].frontOnly != 0;
@@ -84,31 +84,32 @@ inline TriangleBlocks::Met TriangleBlocks::meet(const Block& block, const RayShe
   return met;
 }
 
-// Where the ray meets the planes n . p = w. Interpolating the distances of the corners would lose
-// as many digits as a triangle is longer than high: rays that leave a thin one would meet it again.
-inline FloatV TriangleBlocks::planeDistance(const FloatV (&plane)[4], const Point& origin,
-                                            const Vector& direction) {
-  const auto& [x, y, z, w] = plane;
-  return (w - (x * origin.x + y * origin.y + z * origin.z)) /
-         (x * direction.x + y * direction.y + z * direction.z);
+// Where the ray meets the planes through the pairs' first corners. Interpolating the distances of
+// all corners would lose as many digits as a triangle is longer than high: rays that leave a thin
+// one would meet it again. Differences first: far from the origin all products are large.
+inline FloatV TriangleBlocks::planeDistance(const Block& block, const FloatV (&n)[3],
+                                            const Point& origin, const Vector& direction) {
+  const auto& a = block.vertex[0];
+  return (n[0] * (load(a[0]) - origin.x) + n[1] * (load(a[1]) - origin.y) +
+          n[2] * (load(a[2]) - origin.z)) /
+         (n[0] * direction.x + n[1] * direction.y + n[2] * direction.z);
 }
 
 inline FloatV TriangleBlocks::firstDistance(const Block& block, const Point& origin,
                                             const Vector& direction) {
-  const auto& plane = block.plane[0];
-  return planeDistance({load(plane[0]), load(plane[1]), load(plane[2]), load(plane[3])}, origin,
-                       direction);
+  const auto& n = block.normal[0];
+  return planeDistance(block, {load(n[0]), load(n[1]), load(n[2])}, origin, direction);
 }
 
 // Of the second triangle where both are met: on the common edge, or where one hides the other.
 inline FloatV TriangleBlocks::distance(const Block& block, const Met& met, const Point& origin,
                                        const Vector& direction) {
-  const auto choose = [&](std::size_t k) {
-    FloatV value = load(block.plane[0][k]);
-    where(met.second, value) = load(block.plane[1][k]);
+  const auto choose = [&](std::size_t axis) {
+    FloatV value = load(block.normal[0][axis]);
+    where(met.second, value) = load(block.normal[1][axis]);
     return value;
   };
-  return planeDistance({choose(0), choose(1), choose(2), choose(3)}, origin, direction);
+  return planeDistance(block, {choose(0), choose(1), choose(2)}, origin, direction);
 }
 
 template <bool kCulls>

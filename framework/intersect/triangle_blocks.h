@@ -37,7 +37,7 @@ class TriangleBlocks {
   // partner has d = c, which is met by no ray.
   struct Block {
     LaneArray vertex[4][3];  // [corner][axis]; NaN where there is no triangle
-    LaneArray plane[2][4];   // n and w of n . p = w
+    LaneArray normal[2][3];
     LaneArray smallestArea;  // signed projected area that a hit must exceed: culls backs
     LaneArray index[2];      // of the triangles in the scene
   };
@@ -45,7 +45,7 @@ class TriangleBlocks {
   struct Met;
 
   static FloatV edge(const Corner& p, const Corner& q);
-  static FloatV planeDistance(const FloatV (&plane)[4], const Point& origin,
+  static FloatV planeDistance(const Block& block, const FloatV (&n)[3], const Point& origin,
                               const Vector& direction);
   static FloatV firstDistance(const Block& block, const Point& origin, const Vector& direction);
   static FloatV distance(const Block& block, const Met& met, const Point& origin,

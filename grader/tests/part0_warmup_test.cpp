@@ -3,6 +3,7 @@
 #include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
 #include "tests/support/irradiance.h"
+#include "tests/support/pcg2d.h"
 #include "tests/support/reference_tracer.h"
 #include "tests/support/test_scene.h"
 
@@ -12,20 +13,6 @@ namespace pathmark {
 namespace {
 
 using namespace testing;
-
-constexpr std::uint32_t kMultiplier = 1664525u, kIncrement = 1013904223u;
-
-// PCG2D is a bijection of 64 bits: the seed that is hashed to `hash`, every step undone.
-uvec2 seedOf(uvec2 hash) {
-  std::uint32_t inverse = 1;  // of the multiplier modulo 2^32, by Newton's iteration
-  for (int i = 0; i < 5; ++i) inverse *= 2u - kMultiplier * inverse;
-  for (int round = 0; round < 2; ++round) {
-    hash ^= hash >> 16u;
-    hash.y -= kMultiplier * hash.x;
-    hash.x -= kMultiplier * hash.y;
-  }
-  return (hash - kIncrement) * inverse;
-}
 
 TEST(RandomNumbers, FollowThePublishedHash) {
   uvec2 seed(0, 0);
