@@ -10,12 +10,17 @@
 #include "intersect/embree_intersector.h"
 #include "intersect/flat_intersector.h"
 
+#include <cstddef>
 #include <optional>
 
 namespace pathmark {
 
 class Intersector {
  public:
+  // Where both take the same time to render a scene. The flat loop grows with every sixteen
+  // triangles.
+  static constexpr std::size_t kMostFlatTriangles = 32;
+
   // The memory behind the view must outlive the intersector.
   explicit Intersector(const FlatSceneView& scene);
 

@@ -1,0 +1,19 @@
+// pathmark bench: how fast this machine is, in ratios that hold on others too.
+#include "bench/bench_commands.h"
+
+#include <CLI/CLI.hpp>
+
+namespace pathmark {
+
+void addBenchCommand(CLI::App& app, CommandAction& action) {
+  CLI::App* bench = app.add_subcommand("bench", "Measure how fast rays and renders are");
+  bench->require_subcommand(1);
+  bench::addRaysCommand(*bench, action);
+  bench->footer(
+      "Examples:\n"
+      "  ./pathmark bench rays\n"
+      "  ./pathmark bench rays --large --json rays.json\n\n"
+      "./pathmark bench COMMAND --help says more about each.");
+}
+
+}  // namespace pathmark
