@@ -5,6 +5,7 @@
 
 namespace pathmark::bench {
 
-void addRaysCommand(CLI::App& bench, CommandAction& action);
+void addBenchRaysCommand(CLI::App& bench, CommandAction& action);
+void addBenchRenderCommand(CLI::App& bench, CommandAction& action);
 
 }  // namespace pathmark::bench

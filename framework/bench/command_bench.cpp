@@ -8,11 +8,14 @@ namespace pathmark {
 void addBenchCommand(CLI::App& app, CommandAction& action) {
   CLI::App* bench = app.add_subcommand("bench", "Measure how fast rays and renders are");
   bench->require_subcommand(1);
-  bench::addRaysCommand(*bench, action);
+  bench::addBenchRaysCommand(*bench, action);
+  bench::addBenchRenderCommand(*bench, action);
   bench->footer(
       "Examples:\n"
       "  ./pathmark bench rays\n"
-      "  ./pathmark bench rays --large --json rays.json\n\n"
+      "  ./pathmark bench rays --large --json rays.json\n"
+      "  ./pathmark bench render\n"
+      "  ./pathmark bench render --peer cycles\n\n"
       "./pathmark bench COMMAND --help says more about each.");
 }
 

@@ -1,11 +1,11 @@
 // pathmark bench rays: the flat loop against Embree, over the number of primitives.
 #include "bench/bench_commands.h"
+#include "bench/interrupted_run.h"
 #include "bench/machine.h"
 #include "bench/progress.h"
 #include "bench/ray_rates.h"
 #include "bench/report_file.h"
 #include "host/exit_code.h"
-#include "host/interrupt.h"
 #include "host/options.h"
 #include "intersect/intersector.h"
 #include "scene/blob_mesh.h"
@@ -29,8 +29,6 @@ struct RaysArguments {
   bool large = false;
   std::string json;
 };
-
-struct Stopped {};  // by Ctrl-C
 
 struct Kind {
   RayKind kind;
@@ -71,7 +69,7 @@ class RaysBench {
   RayRates measure(const RaySubject& subject, RayKind kind) {
     progress_.show(fmt::format("{} primitives", subject.primitives()));
     const RayRates rates = subject.rates(kind, arguments_.seconds);
-    if (interrupted()) throw Stopped{};
+    stopIfInterrupted();
     progress_.advance((rates.flat > 0.0 ? 1.0 : 0.0) + (rates.embree > 0.0 ? 2.0 : 0.0));
     return rates;
   }
@@ -245,7 +243,7 @@ int rays(const RaysArguments& arguments) {
   Report report{.command = "bench rays", .machine = machineLine(), .tables = {}, .figures = {}};
   try {
     RaysBench(arguments, report).run();
-  } catch (const Stopped&) {
+  } catch (const Interrupted&) {
     fmt::print(stderr, "Interrupted: no JSON was written.\n");
     return kInterrupted;
   }
@@ -256,7 +254,7 @@ int rays(const RaysArguments& arguments) {
 
 }  // namespace
 
-void addRaysCommand(CLI::App& bench, CommandAction& action) {
+void addBenchRaysCommand(CLI::App& bench, CommandAction& action) {
   const auto arguments = std::make_shared<RaysArguments>();
   CLI::App* command =
       bench.add_subcommand("rays", "Rays per second of the flat loop and of Embree");

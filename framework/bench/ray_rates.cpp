@@ -8,10 +8,9 @@ namespace pathmark::bench {
 RaySubject::RaySubject(RayScene scene, Ways ways, std::string name)
     : scene_(std::move(scene)), name_(std::move(name)), set_(prepareRays(scene_)) {
   const FlatSceneView view = viewOf(scene_.flat);
-  if (ways != Ways::kEmbreeOnly) flat_.emplace(view);
-  if (ways == Ways::kFlatOnly) return;
-  embree_.emplace(view);
-  raw_.emplace(view);
+  if (ways == Ways::kAll || ways == Ways::kFlatOnly) flat_.emplace(view);
+  if (ways == Ways::kAll || ways == Ways::kEmbreeOnly) embree_.emplace(view);
+  if (ways != Ways::kFlatOnly) raw_.emplace(view);
 }
 
 RayRates RaySubject::rates(RayKind kind, double seconds) const {

@@ -20,7 +20,7 @@ struct RayRates {
 
 class RaySubject {
  public:
-  enum class Ways { kAll, kFlatOnly, kEmbreeOnly };
+  enum class Ways { kAll, kFlatOnly, kEmbreeOnly, kRawOnly };  // kEmbreeOnly: raw too
 
   // `name` stands for the number of primitives where there is one.
   RaySubject(RayScene scene, Ways ways, std::string name = "");
