@@ -1,5 +1,6 @@
 // pathmark bench: how fast this machine is, in ratios that hold on others too.
 #include "bench/bench_commands.h"
+#include "host/session.h"
 
 #include <CLI/CLI.hpp>
 
@@ -7,7 +8,11 @@ namespace pathmark {
 
 void addBenchCommand(CLI::App& app, CommandAction& action) {
   CLI::App* bench = app.add_subcommand("bench", "Measure how fast rays and renders are");
-  bench->require_subcommand(1);
+  bench->require_subcommand(0, 1);
+  bench->callback([bench] {
+    if (bench->get_subcommands().empty())
+      throw UsageError("bench is told what to measure: rays or render.");
+  });
   bench::addBenchRaysCommand(*bench, action);
   bench::addBenchRenderCommand(*bench, action);
   bench->footer(

@@ -16,7 +16,11 @@
 #include <filesystem>
 #include <memory>
 
+#include <unistd.h>
+
 namespace pathmark::bench {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -25,12 +29,36 @@ struct BenchRenderArguments {
   std::string with = "solutions";
   std::string peer;
   std::string json;
+  std::string keep;
   std::int64_t seeds = 0;  // 0: the plan's
   bool quick = false;
 };
 
 constexpr std::array<std::pair<const char*, const char*>, 3> kScenes{
     {{"s1", "cornell_box"}, {"s2", "cornell_spheres"}, {"s3", "blob"}}};
+
+// Where pictures go: a folder of this run's own, which ends with it, unless they are to be kept.
+class PictureFolder {
+ public:
+  explicit PictureFolder(const std::string& keep)
+      : path_(keep.empty() ? fs::path(build::kBuildFolder) / fmt::format("bench-{}", getpid())
+                           : fs::absolute(keep)),
+        kept_(!keep.empty()) {
+    fs::create_directories(path_);
+  }
+  ~PictureFolder() {
+    std::error_code ignored;
+    if (!kept_) fs::remove_all(path_, ignored);
+  }
+  PictureFolder(const PictureFolder&) = delete;
+  PictureFolder& operator=(const PictureFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  bool kept_;
+};
 
 RenderPlan planFor(const BenchRenderArguments& arguments) {
   RenderPlan plan;
@@ -61,16 +89,16 @@ void refuseUnknown(const BenchRenderArguments& arguments) {
 int render(const BenchRenderArguments& arguments) {
   refuseUnknown(arguments);
   refuseJsonFile(arguments.json);
-  const std::filesystem::path folder = std::filesystem::path(build::kBuildFolder) / "bench";
-  RenderRuns runs(prepareCoursework(arguments.with), folder);
+  const PictureFolder folder(arguments.keep);
   std::optional<CyclesPeer> cycles;
   if (!arguments.peer.empty()) {
-    cycles = CyclesPeer::find(folder);
+    cycles = CyclesPeer::find(folder.path());
     if (!cycles)
       throw UsageError(
           "--peer cycles: there is no program blender; on Debian and Ubuntu it is "
           "the package blender.");
   }
+  RenderRuns runs(prepareCoursework(arguments.with), folder.path());
   const RenderPlan plan = planFor(arguments);
   std::vector<BenchScene> scenes = loadScenes(arguments.scenes);
   const double steps = static_cast<double>(scenes.size()) * plan.seeds * (cycles ? 2.0 : 1.0) +
@@ -106,7 +134,7 @@ void addBenchRenderCommand(CLI::App& bench, CommandAction& action) {
       "render", "Efficiency, speed, threads, start and memory of whole renders");
   command
       ->add_option("SCENE", arguments->scenes,
-                   "cornell_box (s1), cornell_spheres (s2), blob (s3) (default: all)")
+                   "cornell_box (s1), cornell_spheres (s2), blob (s3) (default: all three)")
       ->type_name("");
   command
       ->add_option("--with", arguments->with,
@@ -122,6 +150,10 @@ void addBenchRenderCommand(CLI::App& bench, CommandAction& action) {
                    2, 1000);
   command->add_flag("--quick", arguments->quick,
                     "With 4 and 16 rays per pixel instead of 64 and 256: whether all of it works");
+  command
+      ->add_option("--keep", arguments->keep,
+                   "Keep the last pictures, the peer's too, in this folder")
+      ->type_name("DIR");
   addJsonOption(*command, arguments->json);
   command->footer(
       "Examples:\n"

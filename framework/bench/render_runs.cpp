@@ -31,12 +31,14 @@ BenchScene loadBenchScene(const std::string& key, const std::string& name) {
 }
 
 RenderRuns::RenderRuns(const Coursework& coursework, fs::path folder)
-    : coursework_(coursework), folder_(std::move(folder)) {
-  fs::create_directories(folder_);
+    : coursework_(coursework), folder_(std::move(folder)) {}
+
+fs::path RenderRuns::picture(const RenderRun& run) const {
+  return folder_ / (fs::path(run.scene).stem().string() + ".exr");
 }
 
 std::vector<std::string> RenderRuns::words(const RenderRun& run) const {
-  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(),
+  std::vector<std::string> words{"/proc/self/exe",
                                  "render",
                                  run.scene,
                                  "--with",
@@ -50,7 +52,7 @@ std::vector<std::string> RenderRuns::words(const RenderRun& run) const {
                                  "--checkpoint-every",
                                  "0",
                                  "--output",
-                                 picture().string()};
+                                 picture(run).string()};
   if (!run.size.empty()) words.insert(words.end(), {"--size", run.size});
   return words;
 }
@@ -67,7 +69,7 @@ RunResult RenderRuns::render(const RenderRun& run) const {
   RunResult result;
   result.usage = runMeasured(words(run), log());
   requireSuccess(result.usage.exitCode, run);
-  ImageFile file = readImage(picture());
+  ImageFile file = readImage(picture(run));
   result.image = std::move(file.image);
   result.renderSeconds = file.origin.seconds;
   return result;

@@ -55,7 +55,7 @@ class RenderRuns {
  private:
   std::vector<std::string> words(const RenderRun& run) const;
   void requireSuccess(int exitCode, const RenderRun& run) const;
-  std::filesystem::path picture() const { return folder_ / "picture.exr"; }
+  std::filesystem::path picture(const RenderRun& run) const;
   std::filesystem::path log() const { return folder_ / "log.txt"; }
 
   Coursework coursework_;
