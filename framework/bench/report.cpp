@@ -77,12 +77,12 @@ std::string_view Figure::verdict() const {
 }
 
 void printFigures(const Report& report) {
-  fmt::print("\n{:<64}  {:>16}  {:>8}  {:>8}  {}\n", "figure", "measured", "must", "aim",
+  fmt::print("\n{:<70}  {:>16}  {:>8}  {:>8}  {}\n", "figure", "measured", "must", "aim",
              "verdict");
   for (const Figure& f : report.figures) {
     const std::string must = f.target ? shortNumber(f.target->must) : "";
     const std::string aim = f.target && f.target->aim ? shortNumber(*f.target->aim) : "";
-    fmt::print("{:<64}  {:>16}  {:>8}  {:>8}  {}\n", f.name, measured(f), must, aim, f.verdict());
+    fmt::print("{:<70}  {:>16}  {:>8}  {:>8}  {}\n", f.name, measured(f), must, aim, f.verdict());
   }
   for (const Figure& f : report.figures)
     if (!f.note.empty()) fmt::print("{}: {}\n", f.name, f.note);
