@@ -91,7 +91,7 @@ fs::path writeCyclesScene(const BenchScene& bench, const CyclesJob& job, const f
   for (const FlatSphere& sphere : scene.spheres)
     json["spheres"].push_back(
         {{"centre", sphere.centre}, {"radius", sphere.radius}, {"material", sphere.shape}});
-  const fs::path file = folder / "cycles.json";
+  fs::path file = folder / "cycles.json";
   writeFileAtomically(file, json.dump());
   return file;
 }
