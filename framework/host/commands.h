@@ -19,6 +19,7 @@ void addStatusCommand(CLI::App& app, CommandAction& action);
 void addContactSheetCommand(CLI::App& app, CommandAction& action);
 void addMeshCommand(CLI::App& app, CommandAction& action);
 void addReferenceCommand(CLI::App& app, CommandAction& action);
+void addBenchCommand(CLI::App& app, CommandAction& action);
 void addBuildCommand(CLI::App& app, CommandAction& action);
 
 }  // namespace pathmark

@@ -33,7 +33,11 @@ void addScriptCommand(CLI::App& app, const char* name, const char* what, const c
 // A word that no option of the command takes.
 int complainOfExtras(const CLI::App& app) {
   const CLI::App* command = &app;
-  for (const CLI::App* sub : app.get_subcommands()) command = sub;
+  std::string words = app.get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().back();
+    words += " " + command->get_name();
+  }
   const std::vector<std::string> extras = command->remaining();
   // The library hands them over from the last to the first.
   auto word = std::find_if(extras.rbegin(), extras.rend(),
@@ -43,8 +47,8 @@ int complainOfExtras(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command->get_options()) names.push_back(option->get_name());
   const std::vector<std::string_view> views(names.begin(), names.end());
-  fmt::print(stderr, "{} was not expected; {} {} --help lists what is.{}\n", *word, app.get_name(),
-             command == &app ? "" : command->get_name(), didYouMean(*word, views));
+  fmt::print(stderr, "{} was not expected; {} --help lists what is.{}\n", *word, words,
+             didYouMean(*word, views));
   return kUsageFault;
 }
 
@@ -71,6 +75,7 @@ int run(int argc, char** argv) {
   addContactSheetCommand(app, action);
   addMeshCommand(app, action);
   addReferenceCommand(app, action);
+  addBenchCommand(app, action);
   addBuildCommand(app, action);
   addScriptCommand(app, "clean", "Remove the build folder",
                    "Examples:\n"

@@ -1,0 +1,11 @@
+// The subcommands of bench. Each adds itself to the command line; what it does runs later.
+#pragma once
+
+#include "host/commands.h"
+
+namespace pathmark::bench {
+
+void addBenchRaysCommand(CLI::App& bench, CommandAction& action);
+void addBenchRenderCommand(CLI::App& bench, CommandAction& action);
+
+}  // namespace pathmark::bench

@@ -1,0 +1,27 @@
+// pathmark bench: how fast this machine is, in ratios that hold on others too.
+#include "bench/bench_commands.h"
+#include "host/session.h"
+
+#include <CLI/CLI.hpp>
+
+namespace pathmark {
+
+void addBenchCommand(CLI::App& app, CommandAction& action) {
+  CLI::App* bench = app.add_subcommand("bench", "Measure how fast rays and renders are");
+  bench->require_subcommand(0, 1);
+  bench->callback([bench] {
+    if (bench->get_subcommands().empty())
+      throw UsageError("bench is told what to measure: rays or render.");
+  });
+  bench::addBenchRaysCommand(*bench, action);
+  bench::addBenchRenderCommand(*bench, action);
+  bench->footer(
+      "Examples:\n"
+      "  ./pathmark bench rays\n"
+      "  ./pathmark bench rays --large --json rays.json\n"
+      "  ./pathmark bench render\n"
+      "  ./pathmark bench render --peer cycles\n\n"
+      "./pathmark bench COMMAND --help says more about each.");
+}
+
+}  // namespace pathmark

@@ -1,0 +1,14 @@
+// A benchmark that was ended by Ctrl-C.
+#pragma once
+
+#include "host/interrupt.h"
+
+namespace pathmark::bench {
+
+struct Interrupted {};
+
+inline void stopIfInterrupted() {
+  if (interrupted()) throw Interrupted{};
+}
+
+}  // namespace pathmark::bench

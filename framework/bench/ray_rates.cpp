@@ -1,0 +1,43 @@
+#include "bench/ray_rates.h"
+
+#include <cmath>
+#include <utility>
+
+namespace pathmark::bench {
+
+RaySubject::RaySubject(RayScene scene, Ways ways, std::string name)
+    : scene_(std::move(scene)), name_(std::move(name)), set_(prepareRays(scene_)) {
+  const FlatSceneView view = viewOf(scene_.flat);
+  if (ways == Ways::kAll || ways == Ways::kFlatOnly) flat_.emplace(view);
+  if (ways == Ways::kAll || ways == Ways::kEmbreeOnly) embree_.emplace(view);
+  if (ways != Ways::kFlatOnly) raw_.emplace(view);
+}
+
+RayRates RaySubject::rates(RayKind kind, double seconds) const {
+  std::vector<Work> ways;
+  std::vector<double RayRates::*> fields;
+  const auto add = [&](const auto& rays, double RayRates::*field) {
+    if (!rays) return;
+    ways.push_back(loopOf(kind, *rays, scene_, set_));
+    fields.push_back(field);
+  };
+  add(flat_, &RayRates::flat);
+  add(embree_, &RayRates::embree);
+  add(raw_, &RayRates::raw);
+  const std::vector<double> measured = alternate(ways, seconds);
+  RayRates rates;
+  for (std::size_t k = 0; k < fields.size(); ++k) rates.*fields[k] = measured[k];
+  return rates;
+}
+
+double RaySubject::disagreement() const {
+  std::size_t different = 0;
+  for (const Ray& ray : set_.rays) {
+    PrimitiveHit a, b;
+    const bool metA = flat_->closest(ray, a), metB = embree_->closest(ray, b);
+    if (metA != metB || (metA && std::abs(a.t - b.t) > 1e-3f * a.t)) ++different;
+  }
+  return static_cast<double>(different) / static_cast<double>(set_.rays.size());
+}
+
+}  // namespace pathmark::bench

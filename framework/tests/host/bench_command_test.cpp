@@ -1,0 +1,82 @@
+// pathmark bench, run as a program: what it says, not how fast it is.
+#include "support/bench_json.h"
+
+namespace pathmark::test {
+namespace {
+
+using nlohmann::json;
+
+TEST_F(BenchCommand, RaysMeasuresEveryKindForEveryNumberOfPrimitives) {
+  const json report = benchJson({"rays", "--seconds", "0.0001", "--most-triangles", "64"});
+  ASSERT_TRUE(report.is_object());
+  EXPECT_EQ(report.value("command", ""), "bench rays");
+  for (const char* kind : {"closest", "occluded", "chained", "path"}) {
+    const json& rows = report.at("tables").at(kind);
+    ASSERT_EQ(rows.size(), 8u) << "1, 2 ... 64, and the Cornell box";
+    EXPECT_EQ(rows.at(0).at("triangles"), 1.0);
+    EXPECT_EQ(rows.at(6).at("triangles"), "32: the Cornell box");
+    EXPECT_EQ(rows.at(7).at("triangles"), 64.0);
+    for (const json& row : rows) {
+      EXPECT_GT(row.at("flat").get<double>(), 0.0);
+      EXPECT_GT(row.at("embree").get<double>(), 0.0);
+      EXPECT_GT(row.at("rawEmbree").get<double>(), 0.0);
+      EXPECT_DOUBLE_EQ(row.at("flatOverEmbree").get<double>(),
+                       row.at("flat").get<double>() / row.at("embree").get<double>());
+    }
+  }
+  EXPECT_EQ(report.at("tables").at("spheres").size(), 9u);
+  EXPECT_EQ(report.at("tables").at("meshes").size(), 3u);
+  EXPECT_TRUE(report.at("figures").contains("crossover"));
+  EXPECT_TRUE(report.at("figures").at("flatOverRawEmbreeAt32").contains("verdict"));
+}
+
+// The flat loop and Embree may part at edges only.
+TEST_F(BenchCommand, RaysComparesIntersectorsThatFindTheSame) {
+  const json report = benchJson({"rays", "--seconds", "0.0001", "--most-triangles", "32"});
+  ASSERT_TRUE(report.is_object());
+  for (const json& row : report.at("tables").at("closest"))
+    EXPECT_LT(row.at("disagreement").get<double>(), 500.0) << row;
+}
+
+TEST_F(BenchCommand, SaysOnWhatItWasMeasured) {
+  const json report = benchJson({"rays", "--seconds", "0.0001", "--most-triangles", "32"});
+  ASSERT_TRUE(report.is_object());
+  const std::string machine = report.at("machine");
+  EXPECT_NE(machine.find("processors"), std::string::npos) << machine;
+  EXPECT_NE(output_.find(machine), std::string::npos) << output_;
+}
+
+TEST_F(BenchCommand, WrongCommandLinesAreSentencesAndWriteNothing) {
+  expectRefuses({}, "rays or render");
+  expectRefuses({"paint"}, "paint was not expected");
+  expectRefuses({"rays", "--fast"}, "--fast was not expected; ./pathmark bench rays --help");
+  expectRefuses({"rays", "--seconds", "0"}, "a number of seconds from");
+  expectRefuses({"rays", "--most-triangles", "16"}, "a whole number from 32");
+  expectRefuses({"rays", "--json", "no/such/folder.json"}, "there is no folder no/such");
+  expectRefuses({"render", "furnace"}, "its scenes are cornell_box, cornell_spheres and blob");
+  expectRefuses({"render", "--peer", "mitsuba"}, "cycles is the only one");
+  expectRefuses({"render", "--seeds", "1"}, "a whole number from 2");
+  expectRefuses({"render", "--with", "no_such_folder"}, "there is no folder");
+}
+
+TEST_F(BenchCommand, SaysWhenThePeerIsNotInstalled) {
+  const ProcessResult result =
+      runProcess({.arguments = {"/usr/bin/env", "PATH=/nonexistent", PATHMARK_PROGRAM, "bench",
+                                "render", "cornell_box", "--peer", "cycles"},
+                  .input = {},
+                  .folder = folder_.path()});
+  EXPECT_EQ(result.exitCode, 2) << result.output;
+  EXPECT_NE(result.output.find("there is no program blender"), std::string::npos) << result.output;
+}
+
+TEST_F(BenchCommand, HelpCarriesExamples) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"--help"}, {"rays", "--help"}, {"render", "--help"}}) {
+    const ProcessResult result = bench(words);
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.output.find("Examples:"), std::string::npos) << result.output;
+  }
+}
+
+}  // namespace
+}  // namespace pathmark::test
