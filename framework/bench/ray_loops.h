@@ -45,8 +45,8 @@ enum class RayKind {
   kPath,      // chained, with a shadow ray from each vertex
 };
 
-// Rays that are made between two looks at the clock.
-inline constexpr std::size_t kRaysOfChunk = 256;
+// Rays that are made between two looks at the clock, which take microseconds on some machines.
+inline constexpr std::size_t kRaysOfChunk = 4096;
 
 template <class Rays>
 Work independentLoop(const Rays& rays, const RaySet& set, bool shadow) {
