@@ -170,7 +170,8 @@ vec2 singlesOf(PixelSampler& points, int first, int second) {
 TEST_P(PixelSamplerTest, PixelsDimensionsSeedsAndReplicatesKnowNothingOfOneAnother) {
   constexpr int kPixels = 40000;
   const auto a = sampler(3), other = sampler(4), replicate = sampler(mix(3));
-  JointCells columns, rows, seeds, replicates, pairs, farPairs, film, singles, farSingles, both;
+  JointCells columns, rows, seeds, replicates, pairs, farPairs, film, passes, singles, farSingles,
+      both;
   for (int k = 0; k < kPixels; ++k) {
     const int i = k % 400, j = k / 400 * 2, ray = 5 + k % 2;
     const vec2 u = pairOf(*a, i, j, 64, ray, 1);
@@ -181,6 +182,7 @@ TEST_P(PixelSamplerTest, PixelsDimensionsSeedsAndReplicatesKnowNothingOfOneAnoth
     film.add(u, pairOf(*a, i, j, 64, ray, 0));
     seeds.add(u, pairOf(*other, i, j, 64, ray, 1));
     replicates.add(u, pairOf(*replicate, i, j, 64, ray, 1));
+    passes.add(pairOf(*a, i, j, 0, 0, 1), pairOf(*a, i, j, 64, 0, 1));
     a->startRay(ray);
     singles.add(u, singlesOf(*a, 0, 1));
     a->startRay(ray);
@@ -195,6 +197,7 @@ TEST_P(PixelSamplerTest, PixelsDimensionsSeedsAndReplicatesKnowNothingOfOneAnoth
   film.expectUniform("a pair and the place on the film");
   seeds.expectUniform("seeds");
   replicates.expectUniform("replicates");
+  passes.expectUniform("the first rays of two passes");
   singles.expectUniform("a pair and singles");
   farSingles.expectUniform("a pair and singles far along");
   both.expectUniform("singles of two seeds");
