@@ -65,14 +65,31 @@ TEST_P(PixelSamplerTest, ARayHasTheSameNumbersWhateverCameBefore) {
   two->startPixel(3, 4, 0);
   for (int k = 0; k < 33; ++k) two->next1D();
   two->startPixel(10, 20, 128);
-  for (int k = 0; k < 5; ++k) two->next2D();
-  two->startRay(50);
-  two->next2D();
+  for (const int other : {200, 50, 300}) {
+    two->startRay(other);
+    for (int k = 0; k < 40; ++k) two->next1D();
+    for (int k = 0; k < 40; ++k) two->next2D();
+  }
   two->startRay(7);
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(one->next1D(), two->next1D());
     EXPECT_EQ(one->next2D(), two->next2D());
   }
+}
+
+TEST_P(PixelSamplerTest, NumbersOfALongPathDoNotRepeat) {
+  const auto points = sampler(5);
+  points->startPixel(1, 2, 0);
+  points->startRay(9);
+  std::set<std::pair<float, float>> pairs, singles;
+  for (int k = 0; k < 3000; ++k) {
+    const vec2 pair = points->next2D();
+    pairs.insert({pair.x, pair.y});
+    const float single = points->next1D();
+    singles.insert({single, points->next1D()});
+  }
+  EXPECT_EQ(pairs.size(), 3000u);
+  EXPECT_EQ(singles.size(), 3000u);
 }
 
 TEST_P(PixelSamplerTest, RaysAreCountedOverPasses) {
