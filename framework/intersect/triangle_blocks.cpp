@@ -33,8 +33,10 @@ TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
         block.vertex[corner][axis].lane[lane] = present ? pairs[i].corner[corner][axis] : kNaN;
     for (std::size_t k = 0; k < 2; ++k) {
       block.index[k].lane[lane] = present ? static_cast<float>(pairs[i].triangle[k]) : 0.0f;
-      const Float3 n = present ? normalOf(scene.corners(scene.triangles[pairs[i].triangle[k]]))
-                               : Float3{kNaN, kNaN, kNaN};
+      // The plane of no triangle is met nowhere.
+      const bool triangle = present && !(k == 1 && pairs[i].single);
+      const Float3 n = triangle ? normalOf(scene.corners(scene.triangles[pairs[i].triangle[k]]))
+                                : Float3{kNaN, kNaN, kNaN};
       for (std::size_t axis = 0; axis < 3; ++axis) block.normal[k][axis].lane[lane] = n[axis];
     }
     const bool frontOnly =
@@ -71,22 +73,20 @@ inline TriangleBlocks::Met TriangleBlocks::meet(const Block& block, const RayShe
       d(block.vertex[3], r);
   const FloatV ab = edge(b, a), bc = edge(c, b), ca = edge(a, c);
   const FloatV cd = edge(d, c), da = edge(a, d), ac = -ca;
-  const FloatV firstArea = ab + bc + ca, secondArea = cd + da + ac;
   Met met{min(min(ab, bc), ca) >= 0.0f || max(max(ab, bc), ca) <= 0.0f,
           min(min(cd, da), ac) >= 0.0f || max(max(cd, da), ac) <= 0.0f};
   if constexpr (kCulls) {
     const FloatV smallest = load(block.smallestArea);
-    met.first = met.first && firstArea > smallest;
-    met.second = met.second && secondArea > smallest;
+    met.first = met.first && ab + bc + ca > smallest;
+    met.second = met.second && cd + da + ac > smallest;
   }
-  met.first = met.first && firstArea != 0.0f;
-  met.second = met.second && secondArea != 0.0f;
   return met;
 }
 
 // Where the ray meets the planes through the pairs' first corners. Interpolating the distances of
 // all corners would lose as many digits as a triangle is longer than high: rays that leave a thin
-// one would meet it again. Differences first: far from the origin all products are large.
+// one would meet it again. Differences first: far from the origin all products are large. A ray in
+// the plane divides by 0, and meets nothing.
 inline FloatV TriangleBlocks::planeDistance(const Block& block, const FloatV (&n)[3],
                                             const Point& origin, const Vector& direction) {
   const auto& a = block.vertex[0];

@@ -34,7 +34,7 @@ class TriangleBlocks {
 
  private:
   // Triangles a b c and a c d: a quad of the scene is one pair. A triangle that has found no
-  // partner has d = c, which is met by no ray.
+  // partner has d = c, and NaN for the second normal: it is met by no ray.
   struct Block {
     LaneArray vertex[4][3];  // [corner][axis]; NaN where there is no triangle
     LaneArray normal[2][3];

@@ -65,14 +65,31 @@ TEST_P(PixelSamplerTest, ARayHasTheSameNumbersWhateverCameBefore) {
   two->startPixel(3, 4, 0);
   for (int k = 0; k < 33; ++k) two->next1D();
   two->startPixel(10, 20, 128);
-  for (int k = 0; k < 5; ++k) two->next2D();
-  two->startRay(50);
-  two->next2D();
+  for (const int other : {200, 50, 300}) {
+    two->startRay(other);
+    for (int k = 0; k < 40; ++k) two->next1D();
+    for (int k = 0; k < 40; ++k) two->next2D();
+  }
   two->startRay(7);
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(one->next1D(), two->next1D());
     EXPECT_EQ(one->next2D(), two->next2D());
   }
+}
+
+TEST_P(PixelSamplerTest, NumbersOfALongPathDoNotRepeat) {
+  const auto points = sampler(5);
+  points->startPixel(1, 2, 0);
+  points->startRay(9);
+  std::set<std::pair<float, float>> pairs, singles;
+  for (int k = 0; k < 3000; ++k) {
+    const vec2 pair = points->next2D();
+    pairs.insert({pair.x, pair.y});
+    const float single = points->next1D();
+    singles.insert({single, points->next1D()});
+  }
+  EXPECT_EQ(pairs.size(), 3000u);
+  EXPECT_EQ(singles.size(), 3000u);
 }
 
 TEST_P(PixelSamplerTest, RaysAreCountedOverPasses) {
@@ -170,7 +187,8 @@ vec2 singlesOf(PixelSampler& points, int first, int second) {
 TEST_P(PixelSamplerTest, PixelsDimensionsSeedsAndReplicatesKnowNothingOfOneAnother) {
   constexpr int kPixels = 40000;
   const auto a = sampler(3), other = sampler(4), replicate = sampler(mix(3));
-  JointCells columns, rows, seeds, replicates, pairs, farPairs, film, singles, farSingles, both;
+  JointCells columns, rows, seeds, replicates, pairs, farPairs, film, passes, singles, farSingles,
+      both;
   for (int k = 0; k < kPixels; ++k) {
     const int i = k % 400, j = k / 400 * 2, ray = 5 + k % 2;
     const vec2 u = pairOf(*a, i, j, 64, ray, 1);
@@ -181,6 +199,7 @@ TEST_P(PixelSamplerTest, PixelsDimensionsSeedsAndReplicatesKnowNothingOfOneAnoth
     film.add(u, pairOf(*a, i, j, 64, ray, 0));
     seeds.add(u, pairOf(*other, i, j, 64, ray, 1));
     replicates.add(u, pairOf(*replicate, i, j, 64, ray, 1));
+    passes.add(pairOf(*a, i, j, 0, 0, 1), pairOf(*a, i, j, 64, 0, 1));
     a->startRay(ray);
     singles.add(u, singlesOf(*a, 0, 1));
     a->startRay(ray);
@@ -195,6 +214,7 @@ TEST_P(PixelSamplerTest, PixelsDimensionsSeedsAndReplicatesKnowNothingOfOneAnoth
   film.expectUniform("a pair and the place on the film");
   seeds.expectUniform("seeds");
   replicates.expectUniform("replicates");
+  passes.expectUniform("the first rays of two passes");
   singles.expectUniform("a pair and singles");
   farSingles.expectUniform("a pair and singles far along");
   both.expectUniform("singles of two seeds");

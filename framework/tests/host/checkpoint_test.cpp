@@ -32,6 +32,7 @@ class CheckpointTest : public testing::Test {
     settings_.raysPerPixel = 512;
     settings_.replicates = 4;
     settings_.seed = 7;
+    settings_.sampler = SamplerKind::kStratified;
     state_.film.assign(6, FilmPixel{{1.5, 2.5, 3.5}, 64.0});
     for (int k = 0; k < 2; ++k)
       addReplicate(state_.replicates, std::vector<FilmPixel>(6, {{3.0 + k, 4.0, 5.0}, 128.0}));
@@ -187,6 +188,8 @@ TEST_F(CheckpointTest, SaysWhatDiffers) {
   says([](auto& i) { i.coursework[3] = 'x'; }, "other coursework");
   says([](auto& i) { i.maxBounces = 9; }, "up to 8 bounces, not 9");
   says([](auto& i) { i.settings.seed = 8; }, "seed is 7, not 8");
+  says([](auto& i) { i.settings.sampler = SamplerKind::kSobol; },
+       "sampler is stratified, not sobol");
   says([](auto& i) { i.settings.width = 4; }, "size is 3x2, not 4x2");
   says([](auto& i) { i.settings.estimator = Estimator::kWarmUp; }, "--warm-up");
   says([](auto& i) { i.settings.replicates = 2; }, "4 of 128 rays per pixel, not 2 of 256");

@@ -44,7 +44,8 @@ class CompareCommand : public ::testing::Test {
            .coursework = "mine",
            .raysPerPixel = 256,
            .replicates = 16,
-           .seed = seed});
+           .seed = seed,
+           .sampler = "pcg"});
   }
 
   TemporaryFolder folder_;
@@ -86,7 +87,9 @@ TEST_F(CompareCommand, NoiseIsNoDifferenceAndABiasedTileIsNamed) {
   const ProcessResult biased = compare({"c.exr", "b.exr"});
   expectSays(biased, 1, "They differ: ");
   expectSays(biased, 1, "\n    16      8 ");
-  expectSays(biased, 1, "A  c.exr: 32x24; room, mine, 256 rays per pixel in 16 replicates, seed 3");
+  expectSays(
+      biased, 1,
+      "A  c.exr: 32x24; room, mine, 256 rays per pixel in 16 replicates, seed 3, sampler pcg");
   expectSays(compare({"c.exr", "b.exr", "--within", "5%"}), 0, "within their noise and 5 %");
 }
 
@@ -144,6 +147,7 @@ TEST_F(CompareCommand, JsonHasTheSameNumbers) {
   EXPECT_FALSE(json["same"].get<bool>());
   EXPECT_EQ(json["a"]["replicates"], 16);
   EXPECT_EQ(json["a"]["seed"], "3");
+  EXPECT_EQ(json["a"]["sampler"], "pcg");
   EXPECT_EQ(json["whole"].size(), 3u);
   EXPECT_NEAR(json["whole"][0]["ratio"].get<double>(), 1.0, 0.01);
   EXPECT_TRUE(json["furthestTiles"][0]["differs"].get<bool>());

@@ -223,6 +223,7 @@ TEST_F(LongRender, WhatDiffersIsSaidAndNothingIsChanged) {
                     image = textOf(folder_ / "a.pfm");
   const std::vector<std::array<std::string, 3>> cases{
       {"--seed", "4", "its seed is 0, not 4"},
+      {"--sampler", "pcg", "its sampler is sobol, not pcg"},
       {"--size", "48x40", "its size is 40x48, not 48x40"},
       {"--max-bounces", "3", "bounces, not 3"},
       {"--warm-up", "", "it was made without --warm-up, not with --warm-up"},

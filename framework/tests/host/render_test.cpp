@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <vector>
+
 namespace pathmark::test {
 namespace {
 
@@ -62,6 +65,27 @@ TEST(Render, WithoutASceneOrWithAFilmOfAnotherSizeIsRefused) {
   const auto worker = coursework.start();
   worker->loadScene(emptyScene(370, 210));
   EXPECT_THROW(render(*worker, 4, 2, 0), WorkerError);
+}
+
+TEST(Render, EverySamplerHasItsOwnNumbersAndTheSameForAnyNumberOfThreads) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(37, 21));
+  RenderSettings settings;
+  settings.width = 37;
+  settings.height = 21;
+  settings.raysPerPixel = 100;
+  std::set<std::vector<float>> images;
+  for (std::size_t kind = 0; kind < kSamplerNames.size(); ++kind) {
+    settings.sampler = static_cast<SamplerKind>(kind);
+    const auto all = [](const RenderStatus&) { return true; };
+    settings.threads = 1;
+    const std::vector<float> one = renderImage(*worker, settings, all).image.rgb;
+    settings.threads = 5;
+    EXPECT_EQ(renderImage(*worker, settings, all).image.rgb, one) << kSamplerNames[kind];
+    images.insert(one);
+  }
+  EXPECT_EQ(images.size(), kSamplerNames.size());
 }
 
 TEST(Render, CancellingKeepsWhatThereIs) {
