@@ -71,11 +71,11 @@ LightSample Polygon::PolygonSampling(float s, float t) const {
 // the angle at x' and alpha the angle at the centre: sin(theta') = sin(theta) / sinMax,
 // alpha = theta' - theta. 1 - cos(theta) = s (1 - cosMax) is uniform over the cone.
 LightSample Sphere::sample(const Point& from, float s, float t) const {
-  const float azimuth = 2.0f * kPi * t;
+  const vec2 circle = onUnitCircle(t);
   const SphereCone cone(*this, from);
   if (!cone.outside) {
     const float z = 1.0f - 2.0f * s, radius = 2.0f * std::sqrt(s * (1.0f - s));
-    const Vector n(radius * std::cos(azimuth), radius * std::sin(azimuth), z);
+    const Vector n(radius * circle.x, radius * circle.y, z);
     return {centre() + cone.r * n, n, pdf(from, centre() + cone.r * n, n)};
   }
   const float h = s * cone.oneMinusCosMax;
@@ -85,9 +85,8 @@ LightSample Sphere::sample(const Point& from, float s, float t) const {
   const float sinAtPoint = std::min(sinTheta / cone.sinMax, 1.0f);
   const float sinAlpha = std::max(sinAtPoint * cosTheta - cosAtPoint * sinTheta, 0.0f);
   const float cosAlpha = cosAtPoint * cosTheta + sinAtPoint * sinTheta;
-  const Vector n = normalize(
-      Frame(cone.toViewer)
-          .toWorld({sinAlpha * std::cos(azimuth), cosAlpha, sinAlpha * std::sin(azimuth)}));
+  const Vector n =
+      normalize(Frame(cone.toViewer).toWorld({sinAlpha * circle.x, cosAlpha, sinAlpha * circle.y}));
   const Point p = centre() + cone.r * n;
   return {p, n, pdf(from, p, n)};
 }

@@ -11,12 +11,12 @@ float lambertianBRDF::pdf(const Vector&, const Vector& wi, const Vector& n) cons
   return std::max(dot(wi, n), 0.0f) * kInvPi;
 }
 
-// Uniform on the unit disc (radius sqrt(1 - t)), lifted to the hemisphere: Malley's method.
+// Uniform on the unit disc (radius sqrt(1 - t)), lifted to the hemisphere: Malley's method. The
+// result is unit length as it is, like the frame's axes.
 DirectionSample lambertianBRDF::reflection(const Vector& wo, const Vector& n, float s, float t,
                                            float) const {
-  const float azimuth = 2.0f * kPi * s, radius = std::sqrt(1.0f - t);
-  const Vector wi = normalize(
-      Frame(n).toWorld({radius * std::cos(azimuth), std::sqrt(t), radius * std::sin(azimuth)}));
+  const vec2 onDisc = std::sqrt(1.0f - t) * onUnitCircle(s);
+  const Vector wi = Frame(n).toWorld({onDisc.x, std::sqrt(t), onDisc.y});
   return {wi, pdf(wo, wi, n)};
 }
 

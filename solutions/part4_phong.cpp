@@ -45,10 +45,9 @@ DirectionSample phongBRDF::reflection(const Vector& wo, const Vector& n, float s
   const bool diffuse = u * (kd + ks) < kd;
   const float cos2 = diffuse ? t : std::exp(2.0f * std::log(t) / (exponent + 1.0f));
   const float sin2 = diffuse ? 1.0f - t : -std::expm1(2.0f * std::log(t) / (exponent + 1.0f));
-  const float azimuth = 2.0f * kPi * s, radius = std::sqrt(sin2);
+  const vec2 circle = std::sqrt(sin2) * onUnitCircle(s);
   const Frame frame(diffuse ? n : normalize(mirror(wo, n)));
-  const Vector wi = normalize(
-      frame.toWorld({radius * std::cos(azimuth), std::sqrt(cos2), radius * std::sin(azimuth)}));
+  const Vector wi = normalize(frame.toWorld({circle.x, std::sqrt(cos2), circle.y}));
   return {wi, pdf(wo, wi, n)};
 }
 

@@ -9,36 +9,31 @@ namespace {
 
 constexpr float kLargestBelowOne = 0x1.fffffep-1f;
 
-LightSample samplePolygon(const Polygon& polygon, float s, float t) {
-  switch (polygon.vertexCount()) {
-    case 3:
-      return polygon.TriangularSampling(s, t);
-    case 4: {
-      // As far from a parallelogram as a scene's rectangles may be, and the rounding of corners.
-      constexpr float kTolerance = 2e-5f;
-      const Vector gap = (polygon.p(0) - polygon.p(1)) + (polygon.p(2) - polygon.p(3));
-      const float extent = largestComponent(polygon.p(2) - polygon.p(0)) +
-                           largestComponent(polygon.p(3) - polygon.p(1));
-      const float rounding = 8.0f * kUnitRoundoff * largestComponent(polygon.p(0));
-      if (largestComponent(gap) <= kTolerance * extent + rounding)
-        return polygon.RectangularSampling(s, t);
-      return polygon.PolygonSampling(s, t);
-    }
-    default:
-      return polygon.PolygonSampling(s, t);
-  }
+bool isParallelogram(const Polygon& polygon) {
+  if (polygon.vertexCount() != 4) return false;
+  // As far from a parallelogram as a scene's rectangles may be, and the rounding of corners.
+  constexpr float kTolerance = 2e-5f;
+  const Vector gap = (polygon.p(0) - polygon.p(1)) + (polygon.p(2) - polygon.p(3));
+  const float extent =
+      largestComponent(polygon.p(2) - polygon.p(0)) + largestComponent(polygon.p(3) - polygon.p(1));
+  const float rounding = 8.0f * kUnitRoundoff * largestComponent(polygon.p(0));
+  return largestComponent(gap) <= kTolerance * extent + rounding;
+}
+
+LightSample samplePolygon(const Light::Face& face, float s, float t) {
+  return (face.polygon.*face.sample)(s, t);
 }
 
 // Chooses a face by area with s. Within the chosen face's share, s is again uniform.
 LightSample sampleFaces(std::span<const Light::Face> faces, float s, float t) {
-  if (faces.size() == 1) return samplePolygon(faces[0].polygon, s, t);
+  if (faces.size() == 1) return samplePolygon(faces[0], s, t);
   const auto face =
       std::upper_bound(faces.begin(), faces.end() - 1, s,
                        [](float value, const Light::Face& f) { return value < f.cumulativeArea; });
   const float below = face == faces.begin() ? 0.0f : (face - 1)->cumulativeArea;
   const float share = face->cumulativeArea - below;
   const float reused = std::clamp((s - below) / share, 0.0f, kLargestBelowOne);
-  LightSample sample = samplePolygon(face->polygon, reused, t);
+  LightSample sample = samplePolygon(*face, reused, t);
   sample.pdf *= share;
   return sample;
 }
@@ -57,6 +52,13 @@ Side sideOf(const Sphere& sphere, const Point& x) {
 }
 
 }  // namespace
+
+Light::Face::Face(const Polygon& face, float cumulative)
+    : polygon(face),
+      cumulativeArea(cumulative),
+      sample(face.vertexCount() == 3 ? &Polygon::TriangularSampling
+             : isParallelogram(face) ? &Polygon::RectangularSampling
+                                     : &Polygon::PolygonSampling) {}
 
 // A sphere shines to one side only, and a point of its own surface may be rounded to either side:
 // whether the sphere can light `from` at all is decided here.

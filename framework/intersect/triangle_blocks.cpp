@@ -41,7 +41,7 @@ TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
     }
     const bool frontOnly =
         present && scene.shapes[scene.triangles[pairs[i].triangle[0]].shape].frontOnly != 0;
-    block.smallestArea.lane[lane] = frontOnly ? 0.0f : -kInfinity;
+    block.largestSlope.lane[lane] = frontOnly ? 0.0f : kInfinity;
     culls_ = culls_ || frontOnly;
   }
 }
@@ -67,41 +67,39 @@ struct TriangleBlocks::Met {
   FloatV::mask_type first, second;
 };
 
-template <bool kCulls>
 inline TriangleBlocks::Met TriangleBlocks::meet(const Block& block, const RayShear& r) {
   const Corner a(block.vertex[0], r), b(block.vertex[1], r), c(block.vertex[2], r),
       d(block.vertex[3], r);
   const FloatV ab = edge(b, a), bc = edge(c, b), ca = edge(a, c);
   const FloatV cd = edge(d, c), da = edge(a, d), ac = -ca;
-  Met met{min(min(ab, bc), ca) >= 0.0f || max(max(ab, bc), ca) <= 0.0f,
+  return {min(min(ab, bc), ca) >= 0.0f || max(max(ab, bc), ca) <= 0.0f,
           min(min(cd, da), ac) >= 0.0f || max(max(cd, da), ac) <= 0.0f};
-  if constexpr (kCulls) {
-    const FloatV smallest = load(block.smallestArea);
-    met.first = met.first && ab + bc + ca > smallest;
-    met.second = met.second && cd + da + ac > smallest;
-  }
-  return met;
 }
 
 // Where the ray meets the planes through the pairs' first corners. Interpolating the distances of
 // all corners would lose as many digits as a triangle is longer than high: rays that leave a thin
 // one would meet it again. Differences first: far from the origin all products are large. A ray in
 // the plane divides by 0, and meets nothing.
+template <bool kCulls>
 inline FloatV TriangleBlocks::planeDistance(const Block& block, const FloatV (&n)[3],
                                             const Point& origin, const Vector& direction) {
   const auto& a = block.vertex[0];
+  FloatV slope = n[0] * direction.x + n[1] * direction.y + n[2] * direction.z;
+  if constexpr (kCulls) where(!(slope < load(block.largestSlope)), slope) = kNaN;
   return (n[0] * (load(a[0]) - origin.x) + n[1] * (load(a[1]) - origin.y) +
           n[2] * (load(a[2]) - origin.z)) /
-         (n[0] * direction.x + n[1] * direction.y + n[2] * direction.z);
+         slope;
 }
 
+template <bool kCulls>
 inline FloatV TriangleBlocks::firstDistance(const Block& block, const Point& origin,
                                             const Vector& direction) {
   const auto& n = block.normal[0];
-  return planeDistance(block, {load(n[0]), load(n[1]), load(n[2])}, origin, direction);
+  return planeDistance<kCulls>(block, {load(n[0]), load(n[1]), load(n[2])}, origin, direction);
 }
 
 // Of the second triangle where both are met: on the common edge, or where one hides the other.
+template <bool kCulls>
 inline FloatV TriangleBlocks::distance(const Block& block, const Met& met, const Point& origin,
                                        const Vector& direction) {
   const auto choose = [&](std::size_t axis) {
@@ -109,23 +107,26 @@ inline FloatV TriangleBlocks::distance(const Block& block, const Met& met, const
     where(met.second, value) = load(block.normal[1][axis]);
     return value;
   };
-  return planeDistance(block, {choose(0), choose(1), choose(2)}, origin, direction);
+  return planeDistance<kCulls>(block, {choose(0), choose(1), choose(2)}, origin, direction);
 }
 
 template <bool kCulls>
-NearestV TriangleBlocks::closestOf(const Ray& ray, float tMax) const {
+bool TriangleBlocks::closestOf(const Ray& ray, float tMax, PrimitiveHit& hit) const {
   const RayShear shear(ray.origin, ray.direction);
   NearestV nearest(tMax);
   for (const Block& block : blocks_) {
-    const Met met = meet<kCulls>(block, shear);
+    const Met met = meet(block, shear);
     FloatV index = load(block.index[0]);
     where(met.second, index) = load(block.index[1]);
-    nearest.take(met.first || met.second, distance(block, met, ray.origin, ray.direction), index);
+    nearest.take(met.first || met.second, distance<kCulls>(block, met, ray.origin, ray.direction),
+                 index);
     if (any_of(met.first && met.second)) [[unlikely]]
-      nearest.take(met.first, firstDistance(block, ray.origin, ray.direction),
+      nearest.take(met.first, firstDistance<kCulls>(block, ray.origin, ray.direction),
                    load(block.index[0]));
   }
-  return nearest;
+  if (!nearest.reduce(tMax, hit)) return false;
+  hit.isSphere = false;
+  return true;
 }
 
 template <bool kCulls>
@@ -133,20 +134,17 @@ bool TriangleBlocks::occludedOf(const Point& origin, const Vector& segment) cons
   const RayShear shear(origin, segment);
   const auto within = [](const FloatV& t) { return t > 0.0f && t < 1.0f; };
   for (const Block& block : blocks_) {
-    const Met met = meet<kCulls>(block, shear);
-    if (any_of((met.first || met.second) && within(distance(block, met, origin, segment))))
+    const Met met = meet(block, shear);
+    if (any_of((met.first || met.second) && within(distance<kCulls>(block, met, origin, segment))))
       return true;
     if (any_of(met.first && met.second)) [[unlikely]]
-      if (any_of(met.first && within(firstDistance(block, origin, segment)))) return true;
+      if (any_of(met.first && within(firstDistance<kCulls>(block, origin, segment)))) return true;
   }
   return false;
 }
 
 bool TriangleBlocks::closest(const Ray& ray, float tMax, PrimitiveHit& hit) const {
-  const NearestV nearest = culls_ ? closestOf<true>(ray, tMax) : closestOf<false>(ray, tMax);
-  if (!nearest.reduce(tMax, hit)) return false;
-  hit.isSphere = false;
-  return true;
+  return culls_ ? closestOf<true>(ray, tMax, hit) : closestOf<false>(ray, tMax, hit);
 }
 
 bool TriangleBlocks::occluded(const Point& origin, const Vector& segment) const {

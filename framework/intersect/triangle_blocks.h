@@ -38,23 +38,25 @@ class TriangleBlocks {
   struct Block {
     LaneArray vertex[4][3];  // [corner][axis]; NaN where there is no triangle
     LaneArray normal[2][3];
-    LaneArray smallestArea;  // signed projected area that a hit must exceed: culls backs
+    LaneArray largestSlope;  // n . direction that a hit must stay below: 0 culls backs
     LaneArray index[2];      // of the triangles in the scene
   };
   struct Corner;
   struct Met;
 
   static FloatV edge(const Corner& p, const Corner& q);
-  static FloatV planeDistance(const Block& block, const FloatV (&n)[3], const Point& origin,
-                              const Vector& direction);
-  static FloatV firstDistance(const Block& block, const Point& origin, const Vector& direction);
-  static FloatV distance(const Block& block, const Met& met, const Point& origin,
-                         const Vector& direction);
   // Inlined always: its vectors then stay in registers.
-  template <bool kCulls>
   [[gnu::always_inline]] static inline Met meet(const Block& block, const RayShear& shear);
   template <bool kCulls>
-  NearestV closestOf(const Ray& ray, float tMax) const;
+  static FloatV planeDistance(const Block& block, const FloatV (&n)[3], const Point& origin,
+                              const Vector& direction);
+  template <bool kCulls>
+  static FloatV firstDistance(const Block& block, const Point& origin, const Vector& direction);
+  template <bool kCulls>
+  static FloatV distance(const Block& block, const Met& met, const Point& origin,
+                         const Vector& direction);
+  template <bool kCulls>
+  bool closestOf(const Ray& ray, float tMax, PrimitiveHit& hit) const;
   template <bool kCulls>
   bool occludedOf(const Point& origin, const Vector& segment) const;
 

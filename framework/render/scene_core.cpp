@@ -40,10 +40,10 @@ void SceneCore::buildLights() {
   }
   for (const FlatFace& f : view_.faces) {
     const std::span<const Point> vertices(lightVertices_.data() + f.firstVertex, f.vertexCount);
-    faces_.push_back(
-        {Polygon(vertices, view_.lightTriangles.subspan(f.firstTriangle, f.triangleCount),
-                 toVec3(f.normal)),
-         f.cumulativeArea});
+    faces_.emplace_back(
+        Polygon(vertices, view_.lightTriangles.subspan(f.firstTriangle, f.triangleCount),
+                toVec3(f.normal)),
+        f.cumulativeArea);
   }
   for (const FlatLight& l : view_.lights) {
     if (l.sphere == FlatLight::kNoSphere) {

@@ -51,6 +51,9 @@ class Light {
   struct Face {
     Polygon polygon;
     float cumulativeArea;  // share of the light's area in this face and those before it, (0,1]
+    LightSample (Polygon::*sample)(float s, float t) const;  // of part 2, by the face's shape
+
+    Face(const Polygon& face, float cumulative);
   };
 
   Light(std::span<const Face> faces, const Colour& emission)
