@@ -36,6 +36,40 @@ struct SphereCone {
   }
 };
 
+// What one light contributes to the radiance from `hit` towards wo, estimated with one point of it.
+Colour lightFrom(const Light& light, const LitScene& scene, const Hit& hit, const Vector& wo,
+                 const vec2& st) {
+  const LightSample y = light.sample(hit.p, st.x, st.y);
+  if (y.pdf == 0.0f) return Colour(0.0f);
+  const Vector toLight = y.p - hit.p;
+  const float distance2 = dot(toLight, toLight);
+  if (distance2 == 0.0f) return Colour(0.0f);
+  const Vector wi = toLight / std::sqrt(distance2);
+  const float cosX = dot(hit.n, wi), cosY = -dot(y.n, wi);
+  if (cosX <= 0.0f || cosY <= 0.0f || !scene.visible(hit, y)) return Colour(0.0f);
+  return light.emission() * hit.brdf->brdf(wo, wi, hit.n) * (cosX * cosY / (distance2 * y.pdf));
+}
+
+struct LightChoice {
+  const Light* light = nullptr;
+  float probability = 0.0f;  // 0: no light can contribute
+};
+
+LightChoice chooseLight(std::span<const Light> lights, const Hit& hit, float u) {
+  float total = 0.0f;
+  for (const Light& light : lights) total += light.roughIrradiance(hit.p, hit.n);
+  float target = u * total;
+  LightChoice choice;
+  for (const Light& light : lights) {
+    const float share = light.roughIrradiance(hit.p, hit.n);
+    if (share == 0.0f) continue;
+    choice = {&light, share / total};
+    if (target < share) break;
+    target -= share;
+  }
+  return choice;
+}
+
 }  // namespace
 
 LightSample Polygon::TriangularSampling(float s, float t) const {
@@ -102,21 +136,19 @@ float Sphere::pdf(const Point& from, const Point&, const Vector& n) const {
   return cosAtPoint / (2.0f * kPi * distance2 * cone.oneMinusCosMax);
 }
 
+// Few lights are all sampled. Of many one is chosen, in proportion to what it could contribute if
+// nothing lay between, so that a path costs one shadow ray at each vertex and the lights that
+// matter get most of them.
 Colour LitScene::directLighting(const Hit& hit, const Vector& wo, Sampler& sampler) const {
-  Colour radiance(0.0f);
-  for (const Light& light : lights()) {
-    const vec2 st = sampler.next2D();
-    const LightSample y = light.sample(hit.p, st.x, st.y);
-    if (y.pdf == 0.0f) continue;
-    const Vector toLight = y.p - hit.p;
-    const float distance2 = dot(toLight, toLight);
-    if (distance2 == 0.0f) continue;
-    const Vector wi = toLight / std::sqrt(distance2);
-    const float cosX = dot(hit.n, wi), cosY = -dot(y.n, wi);
-    if (cosX <= 0.0f || cosY <= 0.0f || !visible(hit, y)) continue;
-    radiance +=
-        light.emission() * hit.brdf->brdf(wo, wi, hit.n) * (cosX * cosY / (distance2 * y.pdf));
+  constexpr std::size_t kFew = 2;
+  if (lights().size() > kFew) {
+    const LightChoice choice = chooseLight(lights(), hit, sampler.next1D());
+    if (choice.probability == 0.0f) return Colour(0.0f);
+    return lightFrom(*choice.light, *this, hit, wo, sampler.next2D()) / choice.probability;
   }
+  Colour radiance(0.0f);
+  for (const Light& light : lights())
+    radiance += lightFrom(light, *this, hit, wo, sampler.next2D());
   return radiance;
 }
 
