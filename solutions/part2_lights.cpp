@@ -55,18 +55,26 @@ struct LightChoice {
   float probability = 0.0f;  // 0: no light can contribute
 };
 
+// In one walk along the lights: each takes the place of the choice so far with its share of the
+// total so far. What u then says within the part that was decided for is again uniform, and is used
+// for the next light (Chao, "A General Purpose Unequal Probability Sampling Plan", 1982).
 LightChoice chooseLight(std::span<const Light> lights, const Hit& hit, float u) {
-  float total = 0.0f;
-  for (const Light& light : lights) total += light.roughIrradiance(hit.p, hit.n);
-  float target = u * total;
+  float total = 0.0f, chosen = 0.0f;
   LightChoice choice;
   for (const Light& light : lights) {
     const float share = light.roughIrradiance(hit.p, hit.n);
     if (share == 0.0f) continue;
-    choice = {&light, share / total};
-    if (target < share) break;
-    target -= share;
+    total += share;
+    const float position = u * total;
+    if (position < share) {
+      choice.light = &light;
+      chosen = share;
+      u = position / share;
+    } else {
+      u = (position - share) / (total - share);
+    }
   }
+  if (choice.light != nullptr) choice.probability = chosen / total;
   return choice;
 }
 

@@ -10,8 +10,6 @@ namespace pathmark {
 
 namespace {
 
-constexpr float kNear = 1e-5f;  // above all rounding of cosines
-
 constexpr float kLargestBelowOne = 0x1.fffffep-1f;
 
 bool isParallelogram(const Polygon& polygon) {
@@ -43,6 +41,8 @@ LightSample sampleFaces(std::span<const Light::Face> faces, float s, float t) {
   return sample;
 }
 
+float mean(const Colour& c) { return (c.r + c.g + c.b) / 3.0f; }
+
 float areaOf(std::span<const Light::Face> faces) {
   float area = 0.0f;
   for (const Light::Face& face : faces)
@@ -64,16 +64,6 @@ Sphere sphereAround(std::span<const Light::Face> faces) {
   const float rounding =
       offsetForMagnitude(std::max(largestComponent(low), largestComponent(high)));
   return {0.5f * low + 0.5f * high, 0.5f * length(high - low) + rounding};
-}
-
-// The largest cosine of the angle between a vector and the directions of a cone, from the cosine
-// to its axis and the squared sine of its half angle; 0 if all are beyond 90 degrees. Rounded up,
-// so that it is not 0 where one is below.
-float largestCosine(float cosine, float sine2) {
-  if (cosine >= 0.0f && 1.0f - cosine * cosine <= sine2) return 1.0f;
-  const float away = std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
-  const float largest = cosine * std::sqrt(1.0f - sine2) + away * std::sqrt(sine2);
-  return std::clamp(largest + kNear, 0.0f, 1.0f);
 }
 
 // Which side of the sphere a point is on, by more than the rounding error of a point on it.
@@ -101,27 +91,32 @@ Light::Face::Face(const Polygon& face, float cumulative)
 Light::Light(std::span<const Face> faces, const Colour& emission)
     : faces_(faces),
       sphere_(sphereAround(faces)),
-      projectedArea_(areaOf(faces)),
-      normal_(faces.size() == 1 ? faces[0].polygon.normal() : Vector(0.0f)),
-      emission_(emission) {}
+      emission_(emission),
+      meanEmission_(mean(emission)),
+      area_(areaOf(faces)),
+      hasNormal_(faces.size() == 1),
+      normal_(faces.front().polygon.normal()) {}
 
 Light::Light(const Sphere& sphere, bool inward, const Colour& emission)
     : sphere_(sphere),
       inward_(inward),
-      projectedArea_(kPi * sphere.radius() * sphere.radius()),
-      emission_(emission) {}
+      emission_(emission),
+      meanEmission_(mean(emission)),
+      area_(kPi * sphere.radius() * sphere.radius()) {}
 
-// Close to the light the irradiance is that of a hemisphere full of it, at most.
+// For cosines stand the heights of the highest point of the sphere around the light over the
+// surface, and of x over the light, by the distance: that costs no angles, and is 0 only where the
+// sphere is below the horizon or behind the light. Close to it the irradiance is that of a
+// hemisphere full of light, at most.
 float Light::roughIrradiance(const Point& x, const Vector& n) const {
-  const float radiance = (emission_.r + emission_.g + emission_.b) / 3.0f;
   const Vector toLight = sphere_.centre() - x;
-  const float distance2 = dot(toLight, toLight), radius2 = sphere_.radius() * sphere_.radius();
-  if (distance2 <= radius2 * (1.0f + kNear)) return kPi * radiance;
-  const Vector wi = toLight / std::sqrt(distance2);
-  const float sine2 = radius2 / distance2;  // of the angle that the sphere fills around wi
-  const float cosX = largestCosine(dot(n, wi), sine2);
-  const float cosY = normal_ == Vector(0.0f) ? 1.0f : largestCosine(-dot(normal_, wi), sine2);
-  return radiance * std::min(projectedArea_ / distance2, kPi) * cosX * cosY;
+  const float radius = sphere_.radius();
+  const float distance2 = std::max(dot(toLight, toLight), radius * radius);
+  const float heightX = std::max(dot(n, toLight) + radius, 0.0f);
+  if (!hasNormal_)
+    return meanEmission_ * std::min(area_ * heightX / (distance2 * std::sqrt(distance2)), kPi);
+  const float heightY = std::max(radius - dot(normal_, toLight), 0.0f);
+  return meanEmission_ * std::min(area_ * heightX * heightY / (distance2 * distance2), kPi);
 }
 
 // A sphere shines to one side only, and a point of its own surface may be rounded to either side:

@@ -51,9 +51,7 @@ class Light {
   // Roughly the irradiance that the light causes at the point x of a surface with normal n, if
   // nothing lies between: its emission, as a mean over the channels, times area and cosines over
   // the squared distance, seen as from its centre. It is 0 only where the light causes none, so
-  // that lights may be chosen in proportion to it. Conty Estevez & Kulla, "Importance Sampling of
-  // Many Lights with Adaptive Tree Splitting", 2018, section 3: cosines as large as any point of
-  // the light can have.
+  // that lights may be chosen in proportion to it.
   float roughIrradiance(const Point& x, const Vector& n) const;
 
   struct Face {
@@ -71,9 +69,11 @@ class Light {
   std::span<const Face> faces_;  // empty for a sphere
   Sphere sphere_;                // the light, or one around its faces
   bool inward_ = false;
-  float projectedArea_;  // the largest area that is seen from afar
-  Vector normal_{0.0f};  // of all points of the light; 0 if they have several
   Colour emission_;
+  float meanEmission_;
+  float area_;              // of the faces, or of the disc as which the sphere is seen
+  bool hasNormal_ = false;  // whether all points have the same
+  Vector normal_{0.0f};
 };
 
 class LitScene {
