@@ -163,7 +163,7 @@ TEST_F(Call, PartsFiveAndSix) {
                {0.875f, 0.875f, 0.875f}, 1e-5f);
   const auto dead = worker_->call(F::kRussianRoulette, {}, words(0.f, 0.f, 0.f, 5, .5f));
   EXPECT_EQ(dead, words(0, 0.f));
-  const auto alive = worker_->call(F::kRussianRoulette, {}, words(.5f, .1f, .1f, 5, .25f));
+  const auto alive = worker_->call(F::kRussianRoulette, {}, words(.25f, .1f, .1f, 5, .25f));
   EXPECT_EQ(alive, words(1, 2.f));
 }
 
