@@ -1,5 +1,6 @@
 // Light: hands samples on to the function of part 2 that belongs to its shape, and tells how much
 // light to expect.
+#include "geometry/face_kind.h"
 #include "math/rounding.h"
 
 #include <pathmark/lit_scene.h>
@@ -11,17 +12,6 @@ namespace pathmark {
 namespace {
 
 constexpr float kLargestBelowOne = 0x1.fffffep-1f;
-
-bool isParallelogram(const Polygon& polygon) {
-  if (polygon.vertexCount() != 4) return false;
-  // As far from a parallelogram as a scene's rectangles may be, and the rounding of corners.
-  constexpr float kTolerance = 2e-5f;
-  const Vector gap = (polygon.p(0) - polygon.p(1)) + (polygon.p(2) - polygon.p(3));
-  const float extent =
-      largestComponent(polygon.p(2) - polygon.p(0)) + largestComponent(polygon.p(3) - polygon.p(1));
-  const float rounding = 8.0f * kUnitRoundoff * largestComponent(polygon.p(0));
-  return largestComponent(gap) <= kTolerance * extent + rounding;
-}
 
 LightSample samplePolygon(const Light::Face& face, float s, float t) {
   return (face.polygon.*face.sample)(s, t);
@@ -66,6 +56,18 @@ Sphere sphereAround(std::span<const Light::Face> faces) {
   return {0.5f * low + 0.5f * high, 0.5f * length(high - low) + rounding};
 }
 
+auto samplingOf(const Polygon& face) {
+  switch (faceKind(face)) {
+    case FaceKind::kTriangle:
+      return &Polygon::TriangularSampling;
+    case FaceKind::kParallelogram:
+      return &Polygon::RectangularSampling;
+    case FaceKind::kPolygon:
+      break;
+  }
+  return &Polygon::PolygonSampling;
+}
+
 // Which side of the sphere a point is on, by more than the rounding error of a point on it.
 enum class Side { kInside, kOn, kOutside };
 
@@ -82,11 +84,7 @@ Side sideOf(const Sphere& sphere, const Point& x) {
 }  // namespace
 
 Light::Face::Face(const Polygon& face, float cumulative)
-    : polygon(face),
-      cumulativeArea(cumulative),
-      sample(face.vertexCount() == 3 ? &Polygon::TriangularSampling
-             : isParallelogram(face) ? &Polygon::RectangularSampling
-                                     : &Polygon::PolygonSampling) {}
+    : polygon(face), cumulativeArea(cumulative), sample(samplingOf(face)) {}
 
 Light::Light(std::span<const Face> faces, const Colour& emission)
     : faces_(faces),

@@ -1,6 +1,8 @@
 // pathmark render: one picture of one scene.
 #include "film/image_file.h"
 #include "host/commands.h"
+#include "host/exit_code.h"
+#include "host/explain_render.h"
 #include "host/options.h"
 #include "host/output_check.h"
 #include "host/render_picture.h"
@@ -26,6 +28,7 @@ struct RenderArguments {
   std::string output;
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
+  bool explain = false;
   PictureRequest picture;
 };
 
@@ -79,6 +82,10 @@ int render(RenderArguments& arguments) {
   options.sampler = findSampler(arguments.sampler);
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
+  if (arguments.explain) {
+    fmt::print("{}", explainRender(scene, settingsFor(scene, options)));
+    return kSuccess;
+  }
   if (arguments.output.empty())
     arguments.output = fmt::format("{}_{}.png", scene.name, courseworkName(arguments.with));
   arguments.picture.output = arguments.output;
@@ -151,11 +158,14 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
   command->add_flag("--warm-up", arguments->picture.options.warmUp,
                     "Render with part 0's get_ray_radiance; spheres are left out");
   addLongRenderOptions(*command, *arguments);
+  command->add_flag("--explain", arguments->explain,
+                    "Print how rays would be answered in the scene, and why, and render nothing");
   command->footer(
       "Examples:\n"
       "  ./pathmark render ucl_rectangle\n"
       "  ./pathmark render cornell_box --with solutions --rays-per-pixel 256\n"
       "  ./pathmark render cornell_box --warm-up --size 128x128\n"
+      "  ./pathmark render cornell_box --explain\n"
       "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n"
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png   (Ctrl-C)\n"
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png --resume\n"

@@ -45,7 +45,7 @@ struct Candidate {
   // Rays pass through the backs of shapes that say so.
   bool isThere() const {
     const Vector n(triangle.normal[0], triangle.normal[1], triangle.normal[2]);
-    return scene.shapes[triangle.shape].frontOnly == 0 || dot(direction, n) < 0.0f;
+    return !scene.frontOnly(triangle) || dot(direction, n) < 0.0f;
   }
 
   // Not put onto the segment by rounding only.
@@ -68,11 +68,6 @@ void passThroughBacksAndRounding(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-bool hasFrontOnly(const FlatSceneView& scene) {
-  return std::any_of(scene.shapes.begin(), scene.shapes.end(),
-                     [](const FlatShape& s) { return s.frontOnly != 0; });
-}
-
 void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   // A copy, because Embree reads a little beyond the last vertex.
@@ -84,7 +79,7 @@ void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
                              view.triangles.data(), offsetof(FlatTriangle, vertex),
                              sizeof(FlatTriangle), view.triangles.size());
   rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
-  if (hasFrontOnly(view)) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
+  if (view.anyFrontOnly()) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
   rtcSetGeometryOccludedFilterFunction(geometry, passThroughBacksAndRounding);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);

@@ -39,8 +39,7 @@ TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
                                 : Float3{kNaN, kNaN, kNaN};
       for (std::size_t axis = 0; axis < 3; ++axis) block.normal[k][axis].lane[lane] = n[axis];
     }
-    const bool frontOnly =
-        present && scene.shapes[scene.triangles[pairs[i].triangle[0]].shape].frontOnly != 0;
+    const bool frontOnly = present && scene.frontOnly(scene.triangles[pairs[i].triangle[0]]);
     block.largestSlope.lane[lane] = frontOnly ? 0.0f : kInfinity;
     culls_ = culls_ || frontOnly;
   }

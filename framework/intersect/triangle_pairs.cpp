@@ -40,7 +40,7 @@ class Pairing {
   }
 
   Edge edge(std::uint32_t triangle, const Float3& from, const Float3& to) const {
-    return {from, to, scene_.shapes[scene_.triangles[triangle].shape].frontOnly != 0};
+    return {from, to, scene_.frontOnly(scene_.triangles[triangle])};
   }
 
   void wait(std::uint32_t triangle) {

@@ -1,7 +1,6 @@
 // Plan: how rays are answered in a scene, decided once when it is loaded.
 //
-//   planFor   from a scene to its plan
-//   explain   what was decided, and why, in lines for a person
+//   planFor   from a scene to its plan; explain_plan.h puts it into words
 //
 // What a scene does not need is left out here, so that the inner loop need not ask.
 #pragma once
@@ -9,7 +8,6 @@
 #include "scene/flat_scene.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pathmark {
@@ -34,8 +32,5 @@ struct Plan {
 };
 
 Plan planFor(const FlatSceneView& scene, ShadowOrigins origins = ShadowOrigins::kSurfaces);
-
-// `lanes`: primitives that the flat loop tests at a time.
-std::vector<std::string> explain(const Plan& plan, const FlatSceneView& scene, std::size_t lanes);
 
 }  // namespace pathmark

@@ -17,6 +17,9 @@ struct FilmPixel {
   double rays = 0.0;                // rays in the sum
 };
 
+// Pixels on a side of what one thread renders at a time.
+inline constexpr int kTileSize = 16;
+
 enum class Estimator : std::uint32_t { kPath = 0, kWarmUp = 1 };
 
 // Pixels of the image, from the top left.

@@ -18,8 +18,6 @@ namespace pathmark {
 
 namespace {
 
-constexpr int kTileSize = 16;
-
 // Throughputs of long paths become denormal numbers, which are slow and carry no light.
 void flushDenormalsToZero() {
 #if defined(__SSE__)

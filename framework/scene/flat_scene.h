@@ -8,6 +8,7 @@
 // Lengths are in the normalised coordinates of the scene (see normalise.h).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -105,6 +106,11 @@ struct FlatSceneView {
 
   std::array<Float3, 3> corners(const FlatTriangle& t) const {
     return {vertices[t.vertex[0]], vertices[t.vertex[1]], vertices[t.vertex[2]]};
+  }
+  bool frontOnly(const FlatTriangle& t) const { return shapes[t.shape].frontOnly != 0; }
+  bool anyFrontOnly() const {
+    return std::any_of(triangles.begin(), triangles.end(),
+                       [this](const FlatTriangle& t) { return frontOnly(t); });
   }
 };
 

@@ -1,0 +1,93 @@
+#include "host/explain_render.h"
+
+#include "render/explain_plan.h"
+#include "scene/normalise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace pathmark {
+
+namespace {
+
+std::string plural(std::uint64_t n, const char* one) {
+  return n == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}s", n, one);
+}
+
+PlanLine points(const RenderSettings& settings) {
+  const std::uint64_t rays = settings.raysPerReplicate();
+  const std::uint64_t passes = (rays + settings.raysPerPass() - 1) / settings.raysPerPass();
+  return {"points",
+          fmt::format(
+              "{}, {} per pixel in {} of {} at most", nameOf(settings.sampler), plural(rays, "ray"),
+              passes == 1 ? "1 pass" : fmt::format("{} passes", passes), settings.raysPerPass()),
+          fmt::format("seed {}", settings.seed)};
+}
+
+PlanLine replicates(const RenderSettings& settings) {
+  if (settings.replicates == 1)
+    return {"replicates", "1", "without --replicates no variance is told"};
+  return {"replicates", fmt::format("{}, with such points each", settings.replicates),
+          "their differences tell the variance of every pixel"};
+}
+
+PlanLine threads(const RenderSettings& settings) {
+  const auto across = [](int pixels) { return (pixels + kTileSize - 1) / kTileSize; };
+  const int tiles = across(settings.width) * across(settings.height);
+  return {"threads",
+          fmt::format("{}, tiles of {}x{} pixels: {} in {}x{}", settings.threads, kTileSize,
+                      kTileSize, tiles, settings.width, settings.height),
+          "the picture does not depend on them"};
+}
+
+PlanLine coordinates(const LoadedScene& scene) {
+  const Normalisation& n = scene.normalisation;
+  if (isIdentity(n))
+    return {"coordinates", "the file's", "floats are accurate where the scene is, and at its size"};
+  std::vector<std::string> changes, reasons;
+  if (n.shift != std::array{0.0, 0.0, 0.0}) {
+    changes.push_back(
+        fmt::format("({:g}, {:g}, {:g}) moved to the origin", n.shift[0], n.shift[1], n.shift[2]));
+    reasons.emplace_back("the scene is far from the origin for its size");
+  }
+  if (n.scale != 1.0) {
+    changes.push_back(fmt::format("scaled by {:g}", n.scale));
+    reasons.emplace_back(n.scale > 1.0 ? "it is small" : "it is large");
+  }
+  return {"coordinates", fmt::format("{}", fmt::join(changes, ", ")),
+          fmt::format("{}: floats are more accurate so", fmt::join(reasons, ", "))};
+}
+
+// Part 0 brings its own intersection, and no lights are sampled.
+std::vector<PlanLine> warmUpLines(const FlatSceneView& scene) {
+  return {
+      {"triangles", fmt::format("{}, met by part 0", scene.triangles.size()),
+       "--warm-up gives get_ray_radiance all triangles"},
+      {"spheres", scene.spheres.empty() ? "none" : fmt::format("{} left out", scene.spheres.size()),
+       "part 0 knows triangles only"}};
+}
+
+}  // namespace
+
+std::string explainRender(const LoadedScene& scene, const RenderSettings& settings) {
+  const FlatSceneView view = viewOf(scene.flat);
+  std::vector<PlanLine> lines = settings.estimator == Estimator::kWarmUp
+                                    ? warmUpLines(view)
+                                    : explainPlan(planFor(view), view);
+  lines.insert(lines.end(),
+               {points(settings), replicates(settings), threads(settings), coordinates(scene)});
+  std::size_t width = 0;
+  for (const PlanLine& line : lines) width = std::max(width, line.what.size());
+  std::string text;
+  for (const PlanLine& line : lines) {
+    fmt::format_to(std::back_inserter(text), "{:<{}}  {}", line.what + ":", width + 1,
+                   line.decision);
+    text += line.why.empty() ? "\n" : fmt::format(" ({})\n", line.why);
+  }
+  return text;
+}
+
+}  // namespace pathmark
