@@ -51,14 +51,14 @@ PlanLine coordinates(const LoadedScene& scene) {
   if (n.shift != std::array{0.0, 0.0, 0.0}) {
     changes.push_back(
         fmt::format("({:g}, {:g}, {:g}) moved to the origin", n.shift[0], n.shift[1], n.shift[2]));
-    reasons.emplace_back("the scene is far from the origin for its size");
+    reasons.emplace_back("far from the origin for its size");
   }
   if (n.scale != 1.0) {
     changes.push_back(fmt::format("scaled by {:g}", n.scale));
-    reasons.emplace_back(n.scale > 1.0 ? "it is small" : "it is large");
+    reasons.emplace_back(n.scale > 1.0 ? "small" : "large");
   }
   return {"coordinates", fmt::format("{}", fmt::join(changes, ", ")),
-          fmt::format("{}: floats are more accurate so", fmt::join(reasons, ", "))};
+          fmt::format("the scene is {}: floats are more accurate so", fmt::join(reasons, " and "))};
 }
 
 // Part 0 brings its own intersection, and no lights are sampled.

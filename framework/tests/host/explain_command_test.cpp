@@ -97,7 +97,7 @@ TEST_F(Explain, WhatTheCommandLineSaysIsInThePlan) {
 
 TEST_F(Explain, AnEmptySceneIsBlackBecauseEveryRayLeavesIt) {
   std::ofstream(folder_ / "empty.json")
-      << R"({"camera": {"eye": [0, 0, 3], "target": [0, 0, 0]}, "shapes": []})";
+      << R"({"camera": {"eye": [0, 0, 3], "target": [0, 0, 0], "fieldOfView": 45}, "shapes": []})";
   const ProcessResult result = explain("empty.json");
   EXPECT_EQ(result.exitCode, 0) << result.output;
   expectLine(result, "triangles", "none");
@@ -108,7 +108,8 @@ TEST_F(Explain, AnEmptySceneIsBlackBecauseEveryRayLeavesIt) {
 
 TEST_F(Explain, AFarSceneIsMovedAndASmallOneScaled) {
   std::ofstream(folder_ / "far.json")
-      << R"({"camera": {"eye": [1000000, 0, 0.003], "target": [1000000, 0, 0]}, "shapes": [
+      << R"({"camera": {"eye": [1000000, 0, 0.003], "target": [1000000, 0, 0],
+             "fieldOfView": 45}, "shapes": [
              {"type": "sphere", "centre": [1000000, 0, 0], "radius": 0.001, "emission": [1, 1, 1],
               "material": "m"}],
              "materials": {"m": {"type": "lambertian", "Kd": [0, 0, 0]}}})";
@@ -118,7 +119,9 @@ TEST_F(Explain, AFarSceneIsMovedAndASmallOneScaled) {
 }
 
 TEST_F(Explain, NeedsNoCourseworkThatCompiles) {
-  EXPECT_EQ(explain("cornell_box", {"--with", "/no/such/folder"}).exitCode, 0);
+  TestCoursework coursework;
+  coursework.setTracePath("return colour;");
+  EXPECT_EQ(explain("cornell_box", {"--with", coursework.folder().string()}).exitCode, 0);
 }
 
 }  // namespace
