@@ -173,7 +173,7 @@ PlanLine choiceOfLights(const FlatSceneView& scene) {
   if (scene.lights.empty()) return {"which light", "none", "there is none to choose"};
   if (scene.lights.size() == 1) return {"which light", "the one", ""};
   return {"which light", "as the coursework's directLighting chooses",
-          "the solutions: all of few, of many in proportion to what each can contribute"};
+          "the solutions: all of few, one of many in proportion to what each can contribute"};
 }
 
 PlanLine paths(const FlatSceneView& scene) {
