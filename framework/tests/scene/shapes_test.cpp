@@ -152,6 +152,39 @@ TEST(Mesh, MeansTheSameInEveryDialect) {
   }
 }
 
+// Files are read in pieces: every way to end a line stands at every place where a piece may end.
+TEST(Mesh, MeansTheSameHoweverLongItsFileIs) {
+  const FlatScene expected = mesh(kTetrahedron);
+  const std::string statements =
+      std::string(kTetrahedron) + "f 1 \\\r\n 3 \\\n 2 # and \\\n so on\r\n";
+  for (const std::string& filling : {std::string("# seven\n"), std::string("#\\\n12345\n"),
+                                     std::string("\\\r\n   \\\n"), std::string("vn 1 2 3\r\n")}) {
+    std::string text;
+    for (std::size_t i = 0; text.size() < (std::size_t{3} << 18); ++i) {
+      text += filling;
+      if (i % 97 == 0) text += ' ';
+    }
+    const FlatScene found = mesh(text + "\n" + statements);
+    EXPECT_EQ(found.vertices, expected.vertices) << filling;
+    ASSERT_EQ(found.triangles.size(), expected.triangles.size() + 1) << filling;
+    EXPECT_EQ(found.triangles.back().vertex, (std::array{0u, 2u, 1u})) << filling;
+  }
+}
+
+// Each gets triangles of its own, also the one that is last.
+TEST(Mesh, MayBeUsedByManyShapes) {
+  SceneFolder folder;
+  folder.write("m.obj", kTetrahedron);
+  const std::string shape = R"({"type": "mesh", "material": "a", "file": "m.obj"})";
+  const std::string other = R"({"type": "mesh", "material": "b", "file": ".//m.obj"})";
+  const FlatScene flat = folder.load(sceneWith(shape + "," + other + "," + shape)).flat;
+  const FlatScene one = mesh(kTetrahedron);
+  const std::size_t n = one.vertices.size();
+  ASSERT_EQ(flat.vertices.size(), 3 * n);
+  ASSERT_EQ(flat.triangles.size(), 3 * one.triangles.size());
+  for (std::size_t i = 0; i < 3 * n; ++i) EXPECT_EQ(flat.vertices[i], one.vertices[i % n]);
+}
+
 TEST(Mesh, CutsFacesOfManyVerticesIntoTriangles) {
   // An L, a quad that is not planar, and a quad with a corner that points inwards.
   const FlatScene l = mesh("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n");
