@@ -94,7 +94,10 @@ class ObjReader {
   void readVertex(ObjWords& words) {
     std::array<double, 7> values{};
     std::size_t count = 0;
-    for (std::string_view word; !(word = words.next()).empty(); ++count) {
+    for (;; ++count) {
+      if (count < values.size() && words.nextDecimal(values[count])) continue;
+      const std::string_view word = words.next();
+      if (word.empty()) break;
       if (count == values.size()) refuse("more than 7 numbers", "a vertex has three coordinates");
       values[count] = number(word);
     }
@@ -125,7 +128,14 @@ class ObjReader {
 
   void readFace(ObjWords& words) {
     corners_.clear();
-    for (std::string_view word; !(word = words.next()).empty();) {
+    const auto count = static_cast<std::uint32_t>(mesh_.vertices.size());
+    for (std::uint32_t number = 0;;) {
+      if (corners_.size() < kMostCorners && words.nextIndex(count, number)) {
+        corners_.push_back(number - 1);
+        continue;
+      }
+      const std::string_view word = words.next();
+      if (word.empty()) break;
       if (corners_.size() == kMostCorners) {
         refuse("a face of more vertices", fmt::format("a face may have at most {}", kMostCorners));
       }

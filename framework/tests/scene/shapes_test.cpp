@@ -1,9 +1,11 @@
 // Boxes, meshes and their transforms, as a worker gets them.
+#include "scene/obj_mesh.h"
 #include "scene_files.h"
 
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace pathmark {
 namespace {
@@ -149,6 +151,22 @@ TEST(Mesh, MeansTheSameInEveryDialect) {
     for (std::size_t i = 0; i < found.triangles.size(); ++i) {
       EXPECT_EQ(found.triangles[i].vertex, expected.triangles[i].vertex) << text;
     }
+  }
+}
+
+TEST(Mesh, ReadsEveryWayToWriteANumberToTheNearestDouble) {
+  SceneFolder folder;
+  for (const char* number :
+       {"0", "-0", "7", "-7.", ".5", "-.25", "00012.50", "0.1", "123456.789012345",
+        "-99999999999999.9", "0.000000000000001", "1234567890123456", "0.1234567890123456789",
+        "1e-3", "+2.5E2", "5e-324", "0.30000000000000004"}) {
+    folder.write("m.obj", fmt::format("v {0} {0} {0}\nv 1 0 0\nv 0 {0}\t{0}\r\nf 1 2 3", number));
+    const glm::dvec3 expected(std::strtod(number, nullptr));
+    const Mesh mesh = readObj(folder.path() / "m.obj");
+    EXPECT_EQ(mesh.vertices[0], expected) << number;
+    EXPECT_EQ(std::signbit(mesh.vertices[0].x), std::signbit(expected.x)) << number;
+    EXPECT_EQ(mesh.vertices[2].y, expected.y) << number;
+    EXPECT_EQ(mesh.vertices[2].z, expected.z) << number;
   }
 }
 
