@@ -26,6 +26,10 @@ class ContentHasher {
     }
   }
 
+  void add(std::span<const std::byte> bytes) {
+    add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  }
+
   std::string digits() const { return fmt::format("{:016x}{:016x}", a_, b_); }
 
  private:
@@ -36,10 +40,6 @@ inline std::string contentHash(std::string_view text) {
   ContentHasher hasher;
   hasher.add(text);
   return hasher.digits();
-}
-
-inline std::string contentHash(std::span<const std::byte> bytes) {
-  return contentHash({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace pathmark

@@ -95,7 +95,11 @@ SamplerKind findSampler(const std::string& name) {
       fmt::format("--sampler {}: it is one of {}.", name, fmt::join(kSamplerNames, ", ")));
 }
 
-std::string sceneHash(const LoadedScene& scene) { return contentHash(packScene(scene.flat)); }
+std::string sceneHash(const LoadedScene& scene) {
+  ContentHasher hasher;
+  packScene(scene.flat, [&](std::span<const std::byte> bytes) { hasher.add(bytes); });
+  return hasher.digits();
+}
 
 RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options) {
   RenderSettings settings;

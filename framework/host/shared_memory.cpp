@@ -3,7 +3,6 @@
 #include "worker/protocol.h"
 
 #include <cerrno>
-#include <cstring>
 #include <new>
 #include <system_error>
 
@@ -38,14 +37,21 @@ FileDescriptor::~FileDescriptor() {
   if (fd_ >= 0) close(fd_);
 }
 
-FileDescriptor makeSealedBlock(std::span<const std::byte> bytes) {
-  FileDescriptor fd = createMemory("pathmark-scene", bytes.size());
-  std::byte* memory = mapMemory(fd, bytes.size());
-  std::memcpy(memory, bytes.data(), bytes.size());
-  munmap(memory, bytes.size());
-  if (fcntl(fd.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
+SealedBlock::SealedBlock(const std::function<void(const TakeBytes&)>& give)
+    : fd_(createMemory("pathmark-scene", 0)) {
+  give([this](std::span<const std::byte> bytes) { append(bytes); });
+  if (fcntl(fd_.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
     fail("sealing the scene");
-  return fd;
+}
+
+void SealedBlock::append(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(fd_.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail("shared memory");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    bytes_ += static_cast<std::size_t>(written);
+  }
 }
 
 // The size is sealed, so that a worker cannot pull the memory away from under the host.

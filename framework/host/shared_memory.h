@@ -8,6 +8,7 @@
 #include "render/render_job.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -32,9 +33,25 @@ class FileDescriptor {
   int fd_;
 };
 
-// A copy of `bytes` behind a descriptor, sealed against writing, growing and shrinking. Throws
-// std::system_error.
-FileDescriptor makeSealedBlock(std::span<const std::byte> bytes);
+// Sealed against writing, growing and shrinking. The host writes it piece by piece and does not map
+// it, so that the block costs the host no memory of its own.
+class SealedBlock {
+ public:
+  using TakeBytes = std::function<void(std::span<const std::byte>)>;
+
+  SealedBlock() = default;
+  // Of all the bytes that `give` hands over, in order. Throws std::system_error.
+  explicit SealedBlock(const std::function<void(const TakeBytes&)>& give);
+
+  int descriptor() const { return fd_.get(); }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  void append(std::span<const std::byte> bytes);
+
+  FileDescriptor fd_;
+  std::size_t bytes_ = 0;
+};
 
 class SharedFilm {
  public:

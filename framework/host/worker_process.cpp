@@ -131,12 +131,11 @@ std::vector<StubRecord> WorkerProcess::stubs() {
 }
 
 void WorkerProcess::loadScene(const FlatScene& scene) {
-  const std::vector<std::byte> packed = packScene(scene);
-  sceneBlock_ = makeSealedBlock(packed);
+  sceneBlock_ = SealedBlock([&](const TakeBytes& take) { packScene(scene, take); });
   const auto started = Clock::now();
-  const LoadSceneRequest request{packed.size()};
+  const LoadSceneRequest request{sceneBlock_.bytes()};
   const std::uint32_t sequence =
-      sendRequest(MessageKind::kLoadScene, bytesOf(request), sceneBlock_.get());
+      sendRequest(MessageKind::kLoadScene, bytesOf(request), sceneBlock_.descriptor());
   const auto body = awaitReply(MessageKind::kLoadScene, sequence, sizeof(LoadSceneReply),
                                sizeof(LoadSceneReply), [&] { return silentFor(started); });
   if (valueOf<LoadSceneReply>(body).understood != 1)

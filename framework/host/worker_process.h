@@ -118,7 +118,7 @@ class WorkerProcess {
   std::uint32_t nextSequence_ = 1;
   std::size_t textBytes_ = 0;
   std::optional<CrashRecord> crashRecord_;
-  FileDescriptor sceneBlock_;
+  SealedBlock sceneBlock_;
 };
 
 }  // namespace pathmark

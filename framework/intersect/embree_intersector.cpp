@@ -7,8 +7,12 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -60,27 +64,80 @@ void passThroughBacks(const RTCFilterFunctionNArguments* arguments) {
     if (arguments->valid[i] != 0 && !Candidate(*arguments, i).isThere()) arguments->valid[i] = 0;
 }
 
-void passThroughBacksAndRounding(const RTCFilterFunctionNArguments* arguments) {
+void passThroughRounding(const RTCFilterFunctionNArguments* arguments) {
+  for (unsigned i = 0; i < arguments->N; ++i)
+    if (arguments->valid[i] != 0 && !Candidate(*arguments, i).isOnSegment())
+      arguments->valid[i] = 0;
+}
+
+// Where no triangle is thin, only hits near an end of the segment are put there by rounding: of
+// rays along the surface, whose cosine is below 1e-3, and then within 0.05 of the end. The other
+// hits are answered without a look at their triangles, which are seldom in a cache.
+void passThroughRoundingAtEnds(const RTCFilterFunctionNArguments* arguments) {
+  constexpr float kEnd = 0.125f;
   for (unsigned i = 0; i < arguments->N; ++i) {
-    if (arguments->valid[i] == 0) continue;
-    const Candidate candidate(*arguments, i);
-    if (!candidate.isThere() || !candidate.isOnSegment()) arguments->valid[i] = 0;
+    const float t = RTCRayN_tfar(arguments->ray, arguments->N, i);
+    if (t > kEnd && t < 1.0f - kEnd) continue;
+    if (arguments->valid[i] != 0 && !Candidate(*arguments, i).isOnSegment())
+      arguments->valid[i] = 0;
   }
 }
 
-void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  // A copy, because Embree reads a little beyond the last vertex.
+void passThroughBacksAndRounding(const RTCFilterFunctionNArguments* arguments) {
+  passThroughBacks(arguments);
+  passThroughRounding(arguments);
+}
+
+// Less than a quarter as high as long.
+bool isThin(const std::array<Float3, 3>& corners) {
+  constexpr float kThin = 0.25f;
+  const auto corner = [&](std::size_t k) {
+    return Vector(corners[k][0], corners[k][1], corners[k][2]);
+  };
+  const Vector a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a, n = cross(a, b);
+  const float longest = std::max({dot(a, a), dot(b, b), dot(c, c)});
+  return dot(n, n) < kThin * kThin * longest * longest;
+}
+
+RTCFilterFunctionN shadowFilterFor(const FlatSceneView& scene, bool frontOnly) {
+  if (frontOnly) return passThroughBacksAndRounding;
+  const bool thin = std::any_of(scene.triangles.begin(), scene.triangles.end(),
+                                [&](const FlatTriangle& t) { return isThin(scene.corners(t)); });
+  return thin ? passThroughRounding : passThroughRoundingAtEnds;
+}
+
+// Embree reads vertices 16 bytes at a time, and so 4 bytes beyond the last. In a packed scene the
+// triangles stand there.
+bool hasBytesBehindVertices(const FlatSceneView& view) {
+  const std::span<const std::byte> vertices = std::as_bytes(view.vertices);
+  const auto* triangles = reinterpret_cast<const std::byte*>(view.triangles.data());
+  const auto end = reinterpret_cast<std::uintptr_t>(vertices.data() + vertices.size());
+  const auto next = reinterpret_cast<std::uintptr_t>(triangles);
+  return next >= end && next - end < 16 && view.triangles.size_bytes() >= 4;
+}
+
+void giveVertices(RTCGeometry geometry, const FlatSceneView& view) {
+  if (hasBytesBehindVertices(view)) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               view.vertices.data(), 0, sizeof(Float3), view.vertices.size());
+    return;
+  }
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            sizeof(Float3), view.vertices.size());
   if (vertices != nullptr)
     std::copy(view.vertices.begin(), view.vertices.end(), static_cast<Float3*>(vertices));
+}
+
+void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  giveVertices(geometry, view);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              view.triangles.data(), offsetof(FlatTriangle, vertex),
                              sizeof(FlatTriangle), view.triangles.size());
   rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
-  if (view.anyFrontOnly()) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
-  rtcSetGeometryOccludedFilterFunction(geometry, passThroughBacksAndRounding);
+  const bool frontOnly = view.anyFrontOnly();
+  if (frontOnly) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
+  rtcSetGeometryOccludedFilterFunction(geometry, shadowFilterFor(view, frontOnly));
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);

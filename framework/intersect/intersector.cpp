@@ -10,15 +10,11 @@ FlatSceneView flatPart(const FlatSceneView& scene, const Plan& plan) {
   return part;
 }
 
-std::span<const std::uint32_t> flatOccluders(const Plan& plan) {
-  if (plan.triangles == TriangleTest::kHierarchy) return {};
-  return plan.occludingTriangles;
-}
-
 }  // namespace
 
 Intersector::Intersector(const FlatSceneView& scene, const Plan& plan)
-    : flat_(flatPart(scene, plan)), occluders_(scene, flatOccluders(plan), plan.occludingSpheres) {
+    : flat_(flatPart(scene, plan)),
+      occluders_(scene, plan.occludingTriangles, plan.occludingSpheres) {
   if (plan.triangles == TriangleTest::kHierarchy) hierarchy_.emplace(scene);
 }
 

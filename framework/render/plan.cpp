@@ -2,7 +2,22 @@
 
 #include "render/occluders.h"
 
+#include <utility>
+
 namespace pathmark {
+
+namespace {
+
+Occluders occludersFor(const FlatSceneView& scene, TriangleTest test, ShadowOrigins origins) {
+  if (test == TriangleTest::kHierarchy) {
+    FlatSceneView rest = scene;
+    rest.triangles = {};
+    return allPrimitives(rest);
+  }
+  return origins == ShadowOrigins::kSurfaces ? occludersOf(scene) : allPrimitives(scene);
+}
+
+}  // namespace
 
 Plan planFor(const FlatSceneView& scene, ShadowOrigins origins) {
   Plan plan;
@@ -10,12 +25,9 @@ Plan planFor(const FlatSceneView& scene, ShadowOrigins origins) {
     plan.triangles = TriangleTest::kHierarchy;
   else if (!scene.triangles.empty())
     plan.triangles = TriangleTest::kFlatLoop;
-  const Occluders occluders =
-      origins == ShadowOrigins::kSurfaces && plan.triangles != TriangleTest::kHierarchy
-          ? occludersOf(scene)
-          : allPrimitives(scene);
-  plan.occludingTriangles = occluders.triangles;
-  plan.occludingSpheres = occluders.spheres;
+  Occluders occluders = occludersFor(scene, plan.triangles, origins);
+  plan.occludingTriangles = std::move(occluders.triangles);
+  plan.occludingSpheres = std::move(occluders.spheres);
   return plan;
 }
 

@@ -27,7 +27,7 @@ enum class ShadowOrigins {
 struct Plan {
   TriangleTest triangles = TriangleTest::kNone;
 
-  // Primitives that shadow rays are tested against; with a hierarchy, its triangles are all tested.
+  // Primitives that shadow rays are tested against beside the hierarchy, which has all triangles.
   std::vector<std::uint32_t> occludingTriangles, occludingSpheres;
 };
 

@@ -104,7 +104,7 @@ FlatSceneView viewOf(const FlatScene& s) {
           s.spheres, s.lights,     s.faces,     s.lightVertices, s.lightTriangles};
 }
 
-std::vector<std::byte> packScene(const FlatScene& scene) {
+void packScene(const FlatScene& scene, const TakeBytes& take) {
   Header header;
   header.headerSize = sizeof(Header);
   header.maxBounces = scene.maxBounces;
@@ -118,13 +118,22 @@ std::vector<std::byte> packScene(const FlatScene& scene) {
     header.totalSize += aligned(array.size() * sizeof(T));
   });
 
-  std::vector<std::byte> block(header.totalSize);
-  std::memcpy(block.data(), &header, sizeof(Header));
-  std::size_t offset = sizeof(Header);
+  take(std::as_bytes(std::span(&header, 1)));
+  constexpr std::array<std::byte, kAlignment> kGap{};
   forEachArray(scene, [&](const auto& array) {
-    const std::size_t bytes = array.size() * sizeof(Element<decltype(array)>);
-    if (bytes > 0) std::memcpy(block.data() + offset, array.data(), bytes);
-    offset += aligned(bytes);
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(array));
+    if (!bytes.empty()) take(bytes);
+    const std::size_t gap = aligned(bytes.size()) - bytes.size();
+    if (gap > 0) take(std::span(kGap).first(gap));
+  });
+}
+
+std::vector<std::byte> packScene(const FlatScene& scene) {
+  std::vector<std::byte> block;
+  packScene(scene, [&](std::span<const std::byte> bytes) {
+    const std::size_t offset = block.size();
+    block.resize(offset + bytes.size());
+    std::memcpy(block.data() + offset, bytes.data(), bytes.size());
   });
   return block;
 }

@@ -2,7 +2,7 @@
 //
 //   FlatScene       the arrays, owned; made by the host from a checked and normalised scene
 //   FlatSceneView   the same arrays in a block of memory, not owned; what a worker reads
-//   packScene       FlatScene -> block;  viewScene: block -> FlatSceneView
+//   packScene       FlatScene -> block, at once or in pieces;  viewScene: block -> FlatSceneView
 //   viewOf          the view of a FlatScene itself
 //
 // Lengths are in the normalised coordinates of the scene (see normalise.h).
@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -117,6 +118,10 @@ struct FlatSceneView {
 FlatSceneView viewOf(const FlatScene& scene);
 
 std::vector<std::byte> packScene(const FlatScene& scene);
+
+// The same block in pieces, one after another: large scenes then need no second copy.
+using TakeBytes = std::function<void(std::span<const std::byte>)>;
+void packScene(const FlatScene& scene, const TakeBytes& take);
 
 // The block must be aligned to 16 bytes and must outlive the view. Returns nothing if the block
 // is too short for what its header says, was written by another version, or has an index that

@@ -37,6 +37,7 @@ class Flattener {
   FlatScene flatten() {
     flat_.camera.eye = toFloat3(scene_.camera.eye);
     flat_.maxBounces = static_cast<std::uint32_t>(scene_.maxBounces);
+    reserveArrays();
     for (const MaterialDescription& m : scene_.materials) addMaterial(m);
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) addShape(i);
     noteDropped();
@@ -44,6 +45,22 @@ class Flattener {
   }
 
  private:
+  // For all that the shapes may have, so that large arrays are neither copied nor half empty.
+  void reserveArrays() {
+    std::size_t triangles = 0, vertices = 0;
+    for (const ShapeDescription& shape : scene_.shapes) {
+      const bool isMesh = shape.kind == ShapeKind::kMesh;
+      const bool shares = isMesh && toFloat3(shape.emission) == Float3{};
+      const std::size_t most = isMesh                          ? shape.triangles.size()
+                               : shape.kind == ShapeKind::kBox ? 12
+                                                               : shape.vertices.size();
+      triangles += most;
+      vertices += shares ? shape.vertices.size() : 3 * most;
+    }
+    flat_.triangles.reserve(triangles);
+    flat_.vertices.reserve(vertices);
+  }
+
   void addMaterial(const MaterialDescription& m) {
     const bool phong = m.kind == MaterialKind::kPhong;
     flat_.materials.push_back({phong ? FlatMaterialKind::kPhong : FlatMaterialKind::kLambertian,

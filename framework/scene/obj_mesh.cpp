@@ -1,7 +1,9 @@
 #include "scene/obj_mesh.h"
 
 #include "scene/load_scene.h"
+#include "scene/obj_words.h"
 #include "scene/polygon.h"
+#include "scene/read_text.h"
 #include "scene/syntax_sentence.h"
 #include "scene/validate.h"
 
@@ -27,79 +29,24 @@ constexpr std::array<std::string_view, 15> kSkipped{"vt",     "vn",     "vp",  "
                                                     "s",      "mg",     "l",   "p",     "usemtl",
                                                     "mtllib", "usemap", "lod", "bevel", "maplib"};
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-// The words of one statement. A backslash at the end of a line continues it on the next.
-class Words {
- public:
-  Words(std::string_view text, std::size_t& position, std::size_t& line)
-      : text_(text), position_(position), line_(line) {}
-
-  // The next word; empty at the end of the statement.
-  std::string_view next() {
-    skipSpaces();
-    const std::size_t first = position_;
-    while (position_ < text_.size() && !isSpace(text_[position_]) && text_[position_] != '\n' &&
-           text_[position_] != '#' && !continues()) {
-      ++position_;
-    }
-    return text_.substr(first, position_ - first);
-  }
-
-  // Goes behind the end of the line, from anywhere in the statement.
-  void finish() {
-    while (position_ < text_.size() && text_[position_] != '\n') {
-      if (!skipContinuation()) ++position_;
-    }
-    if (position_ < text_.size()) {
-      ++position_;
-      ++line_;
-    }
-  }
-
- private:
-  // The length of a backslash and the line break behind it; 0 if there is none here.
-  std::size_t continues() const {
-    if (text_[position_] != '\\') return 0;
-    const std::string_view rest = text_.substr(position_ + 1, 2);
-    return rest.starts_with('\n') ? 2 : rest == "\r\n" ? 3 : 0;
-  }
-  bool skipContinuation() {
-    const std::size_t length = continues();
-    position_ += length;
-    line_ += length > 0 ? 1 : 0;
-    return length > 0;
-  }
-  void skipSpaces() {
-    while (position_ < text_.size()) {
-      if (isSpace(text_[position_])) {
-        ++position_;
-      } else if (!skipContinuation()) {
-        return;
-      }
-    }
-  }
-
-  std::string_view text_;
-  std::size_t& position_;
-  std::size_t& line_;
-};
-
 class ObjReader {
  public:
-  explicit ObjReader(const SceneSource& source) : source_(source) {}
+  explicit ObjReader(const std::filesystem::path& file) : file_(file) {}
 
-  Mesh read() {
-    const std::string_view text = source_.text;
+  // The next statements of the file, all of them whole.
+  void read(std::string_view text) {
     for (std::size_t position = 0; position < text.size();) {
       statementLine_ = line_;
-      Words words(text, position, line_);
+      ObjWords words(text, position, line_);
       readStatement(words);
       words.finish();
     }
+  }
+
+  Mesh finish() {
     if (mesh_.triangles.empty()) {
       throw SceneError(fmt::format("{}: found no face, but a mesh has lines such as \"f 1 2 3\".",
-                                   source_.file.string()));
+                                   file_.string()));
     }
     dropUnusedVertices();
     return std::move(mesh_);
@@ -107,11 +54,11 @@ class ObjReader {
 
  private:
   [[noreturn]] void refuse(const std::string& found, const std::string& rule) const {
-    throw SceneError(fmt::format("{}:{}: found {}, but {}.", source_.file.string(), statementLine_,
-                                 found, rule));
+    throw SceneError(
+        fmt::format("{}:{}: found {}, but {}.", file_.string(), statementLine_, found, rule));
   }
 
-  void readStatement(Words& words) {
+  void readStatement(ObjWords& words) {
     const std::string_view kind = words.next();
     if (kind.empty()) return;
     if (kind == "v") {
@@ -144,10 +91,13 @@ class ObjReader {
   }
 
   // x y z, then perhaps a weight, a colour, or both, which are read and not used.
-  void readVertex(Words& words) {
+  void readVertex(ObjWords& words) {
     std::array<double, 7> values{};
     std::size_t count = 0;
-    for (std::string_view word; !(word = words.next()).empty(); ++count) {
+    for (;; ++count) {
+      if (count < values.size() && words.nextDecimal(values[count])) continue;
+      const std::string_view word = words.next();
+      if (word.empty()) break;
       if (count == values.size()) refuse("more than 7 numbers", "a vertex has three coordinates");
       values[count] = number(word);
     }
@@ -176,9 +126,16 @@ class ObjReader {
     return static_cast<std::uint32_t>(index);
   }
 
-  void readFace(Words& words) {
+  void readFace(ObjWords& words) {
     corners_.clear();
-    for (std::string_view word; !(word = words.next()).empty();) {
+    const auto count = static_cast<std::uint32_t>(mesh_.vertices.size());
+    for (std::uint32_t number = 0;;) {
+      if (corners_.size() < kMostCorners && words.nextIndex(count, number)) {
+        corners_.push_back(number - 1);
+        continue;
+      }
+      const std::string_view word = words.next();
+      if (word.empty()) break;
       if (corners_.size() == kMostCorners) {
         refuse("a face of more vertices", fmt::format("a face may have at most {}", kMostCorners));
       }
@@ -241,7 +198,7 @@ class ObjReader {
     }
   }
 
-  const SceneSource& source_;
+  const std::filesystem::path& file_;
   std::size_t line_ = 1, statementLine_ = 1;
   Mesh mesh_;
   std::vector<std::uint32_t> corners_;
@@ -249,6 +206,20 @@ class ObjReader {
 
 }  // namespace
 
-Mesh readObj(const SceneSource& source) { return ObjReader(source).read(); }
+Mesh readObj(const SceneSource& source) {
+  ObjReader reader(source.file);
+  reader.read(source.text);
+  return reader.finish();
+}
+
+Mesh readObj(const std::filesystem::path& file) {
+  ObjReader reader(file);
+  readTextInPieces(file, "a mesh is an OBJ file", [&](std::string_view text, bool isLast) {
+    const std::size_t end = isLast ? text.size() : endOfStatements(text);
+    reader.read(text.substr(0, end));
+    return end;
+  });
+  return reader.finish();
+}
 
 }  // namespace pathmark

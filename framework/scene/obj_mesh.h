@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <filesystem>
 #include <vector>
 
 namespace pathmark {
@@ -22,5 +23,8 @@ struct Mesh {
 // Throws SceneError "file:line: ..." for anything that is not as the format says, a number that is
 // none included, and for a file without faces.
 Mesh readObj(const SceneSource& source);
+
+// The same of a file, of which only a small part is in memory at a time.
+Mesh readObj(const std::filesystem::path& file);
 
 }  // namespace pathmark

@@ -2,7 +2,6 @@
 
 #include "scene/obj_mesh.h"
 #include "scene/place.h"
-#include "scene/read_text.h"
 #include "scene/syntax_sentence.h"
 #include "scene/transform.h"
 #include "scene/validate.h"
@@ -69,26 +68,34 @@ fs::path findMesh(const ShapeDescription& shape, const SceneSource& source, cons
 
 class GeometryMaker {
  public:
-  explicit GeometryMaker(const SceneSource& source) : source_(source) {}
+  GeometryMaker(const SceneDescription& scene, const SceneSource& source) : source_(source) {
+    for (const ShapeDescription& shape : scene.shapes) {
+      if (shape.kind == ShapeKind::kMesh) ++uses_[shape.file];
+    }
+  }
 
   void make(ShapeDescription& shape, const Place& place) {
     if (shape.kind == ShapeKind::kBox) {
       shape.vertices = boxCorners(shape);
     } else {
-      const Mesh& mesh = read(findMesh(shape, source_, Place(place, "file")));
-      shape.vertices = mesh.vertices;
-      shape.triangles = mesh.triangles;
+      Mesh mesh = read(findMesh(shape, source_, Place(place, "file")), shape.file);
+      shape.vertices = std::move(mesh.vertices);
+      shape.triangles = std::move(mesh.triangles);
     }
     put(shape, place);
   }
 
  private:
-  // A file that several shapes share is read once.
-  const Mesh& read(const fs::path& file) {
-    const auto found = meshes_.find(file);
-    if (found != meshes_.end()) return found->second;
-    return meshes_.emplace(file, readObj({file, readText(file, "a mesh is an OBJ file")}))
-        .first->second;
+  // A file that several shapes share is read once, and kept until the last of them.
+  Mesh read(const fs::path& file, const fs::path& name) {
+    const bool isLast = --uses_[name] == 0;
+    const auto found = meshes_.find(name);
+    if (found == meshes_.end()) {
+      Mesh mesh = readObj(file);
+      if (!isLast) meshes_.emplace(name, mesh);
+      return mesh;
+    }
+    return isLast ? std::move(found->second) : found->second;
   }
 
   static void put(ShapeDescription& shape, const Place& place) {
@@ -112,13 +119,14 @@ class GeometryMaker {
   }
 
   const SceneSource& source_;
+  std::map<fs::path, std::size_t> uses_;  // that are still to come
   std::map<fs::path, Mesh> meshes_;
 };
 
 }  // namespace
 
 void makeGeometry(SceneDescription& scene, const SceneSource& source) {
-  GeometryMaker maker(source);
+  GeometryMaker maker(scene, source);
   const Place top(source), shapes(top, "shapes");
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     ShapeDescription& shape = scene.shapes[i];

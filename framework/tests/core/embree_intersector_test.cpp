@@ -1,6 +1,7 @@
 // The hierarchy against the flat loop, which has its own oracle, and at its edges.
 #include "intersect/embree_intersector.h"
 #include "intersect/flat_intersector.h"
+#include "math/rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,71 @@ TEST(EmbreeIntersector, MeetsWhatTheFlatLoopMeets) {
   }
   EXPECT_GT(met, kRays / 10);
   EXPECT_LE(different, kRays / 10000);
+}
+
+// Of a packed scene the vertices are not copied.
+TEST(EmbreeIntersector, MeetsTheSameInAPackedScene) {
+  FlatScene scene = randomTriangles(500);
+  scene.materials.resize(1);
+  const std::vector<std::byte> block = packScene(scene);
+  const auto view = viewScene(block);
+  ASSERT_TRUE(view);
+  const EmbreeIntersector packed(*view), apart(viewOf(scene));
+  Random random;
+  for (int k = 0; k < 20000; ++k) {
+    const Ray ray{random.inCube(1.0f), normalize(random.inCube(1.0f))};
+    PrimitiveHit expected, found;
+    ASSERT_EQ(packed.closest(ray, kInfinity, found), apart.closest(ray, kInfinity, expected));
+    ASSERT_EQ(found.index, expected.index);
+    ASSERT_EQ(found.t, expected.t);
+    const vec3 segment = random.inCube(3.0f);
+    ASSERT_EQ(packed.occluded(ray.origin, segment), apart.occluded(ray.origin, segment));
+  }
+}
+
+// A triangle of this height and of length 1 somewhere in a cube, moved from its own plane along the
+// normal as the ends of shadow rays are.
+struct LoneTriangle {
+  FlatScene scene;
+  vec3 corner, along, up, normal;
+
+  LoneTriangle(Random& random, float height) : corner(random.inCube(1.0f)) {
+    along = normalize(random.inCube(1.0f));
+    normal = normalize(cross(along, random.inCube(1.0f)));
+    up = height * cross(normal, along);
+    scene.shapes.resize(1);
+    addTriangle(scene, corner, corner + along, corner + 0.3f * along + up, 0);
+    const Float3& n = scene.triangles[0].normal;
+    normal = vec3(n[0], n[1], n[2]);
+  }
+
+  vec3 pointNear(Random& random) const {
+    const float y = random.uniform(0.01f, 0.9f), x = random.uniform(0.3f * y, 1.0f - 0.7f * y);
+    const vec3 p = corner + x * along + y * up;
+    return p - dot(p - corner, normal) * normal + offsetForMagnitude(2.0f) * normal;
+  }
+};
+
+TEST(EmbreeIntersector, NoTriangleIsInTheWayOfSegmentsThatEndBesideIt) {
+  Random random;
+  for (const float height : {0.9f, 0.5f, 0.3f, 0.1f, 1e-2f, 1e-3f}) {
+    int occluded = 0;
+    for (int k = 0; k < 300; ++k) {
+      const LoneTriangle triangle(random, height);
+      const EmbreeIntersector embree(viewOf(triangle.scene));
+      for (int i = 0; i < 200; ++i) {
+        const vec3 from = triangle.pointNear(random);
+        const vec3 sideways = random.inCube(1.0f);
+        const vec3 level = sideways - dot(sideways, triangle.normal) * triangle.normal;
+        const float cosine = std::pow(10.0f, random.uniform(-6.0f, 0.0f));
+        const vec3 to =
+            from + random.uniform(0.01f, 3.0f) * (normalize(level) + cosine * triangle.normal);
+        occluded += embree.occluded(from, to - from) ? 1 : 0;
+        occluded += embree.occluded(to, from - to) ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(occluded, 0) << height;
+  }
 }
 
 TEST(EmbreeIntersector, LooksNoFartherThanItIsTold) {

@@ -44,6 +44,18 @@ TEST(FlatScene, ComesBackFromItsBlock) {
   }
 }
 
+TEST(FlatScene, IsTheSameBlockInPieces) {
+  const FlatScene scene = loadScene(kRoot / "scenes" / "cornell_spheres.json").flat;
+  const std::vector<std::byte> block = packScene(scene);
+  std::size_t end = 0;
+  packScene(scene, [&](std::span<const std::byte> piece) {
+    ASSERT_LE(end + piece.size(), block.size());
+    EXPECT_TRUE(std::equal(piece.begin(), piece.end(), block.data() + end));
+    end += piece.size();
+  });
+  EXPECT_EQ(end, block.size());
+}
+
 TEST(FlatScene, MayBeEmpty) {
   const std::vector<std::byte> block = packScene({});
   const auto view = viewScene(block);

@@ -101,6 +101,15 @@ TEST(MeshErrorsOfFiles, AFaceMayHaveAThousandVertices) {
              {"m.obj:4:", "at most 1000"});
 }
 
+TEST(MeshErrorsOfFiles, TheLineIsRightInALongFile) {
+  SceneFolder folder;
+  std::string text = kThree;
+  for (int i = 0; i < 100000; ++i) text += i % 10 == 0 ? "# a \\\n comment\n" : "vn 0 0 1\n";
+  folder.write("m.obj", text + "f 1 2 7\n");
+  expectSays(errorOf(folder, R"({"type": "mesh", "material": "a", "file": "m.obj"})"),
+             {"m.obj:110004: found the vertex \"7\""});
+}
+
 TEST(MeshErrorsOfFiles, TruncatedAnywhereItIsReadOrRefused) {
   SceneFolder folder;
   const std::string text = kThree + "v 0 0 1\nf 1 3 2\nf 1/1 2//2 4/1/7\n";

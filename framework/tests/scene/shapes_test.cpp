@@ -1,9 +1,11 @@
 // Boxes, meshes and their transforms, as a worker gets them.
+#include "scene/obj_mesh.h"
 #include "scene_files.h"
 
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace pathmark {
 namespace {
@@ -150,6 +152,55 @@ TEST(Mesh, MeansTheSameInEveryDialect) {
       EXPECT_EQ(found.triangles[i].vertex, expected.triangles[i].vertex) << text;
     }
   }
+}
+
+TEST(Mesh, ReadsEveryWayToWriteANumberToTheNearestDouble) {
+  SceneFolder folder;
+  for (const char* number :
+       {"0", "-0", "7", "-7.", ".5", "-.25", "00012.50", "0.1", "123456.789012345",
+        "-99999999999999.9", "0.000000000000001", "1234567890123456", "0.1234567890123456789",
+        "1e-3", "+2.5E2", "5e-324", "0.30000000000000004"}) {
+    folder.write("m.obj", fmt::format("v {0} {0} {0}\nv 1 0 0\nv 0 {0}\t{0}\r\nf 1 2 3", number));
+    const glm::dvec3 expected(std::strtod(number, nullptr));
+    const Mesh mesh = readObj(folder.path() / "m.obj");
+    EXPECT_EQ(mesh.vertices[0], expected) << number;
+    EXPECT_EQ(std::signbit(mesh.vertices[0].x), std::signbit(expected.x)) << number;
+    EXPECT_EQ(mesh.vertices[2].y, expected.y) << number;
+    EXPECT_EQ(mesh.vertices[2].z, expected.z) << number;
+  }
+}
+
+// Files are read in pieces: every way to end a line stands at every place where a piece may end.
+TEST(Mesh, MeansTheSameHoweverLongItsFileIs) {
+  const FlatScene expected = mesh(kTetrahedron);
+  const std::string statements =
+      std::string(kTetrahedron) + "f 1 \\\r\n 3 \\\n 2 # and \\\n so on\r\n";
+  for (const std::string& filling : {std::string("# seven\n"), std::string("#\\\n12345\n"),
+                                     std::string("\\\r\n   \\\n"), std::string("vn 1 2 3\r\n")}) {
+    std::string text;
+    for (std::size_t i = 0; text.size() < (std::size_t{3} << 18); ++i) {
+      text += filling;
+      if (i % 97 == 0) text += ' ';
+    }
+    const FlatScene found = mesh(text + "\n" + statements);
+    EXPECT_EQ(found.vertices, expected.vertices) << filling;
+    ASSERT_EQ(found.triangles.size(), expected.triangles.size() + 1) << filling;
+    EXPECT_EQ(found.triangles.back().vertex, (std::array{0u, 2u, 1u})) << filling;
+  }
+}
+
+// Each gets triangles of its own, also the one that is last.
+TEST(Mesh, MayBeUsedByManyShapes) {
+  SceneFolder folder;
+  folder.write("m.obj", kTetrahedron);
+  const std::string shape = R"({"type": "mesh", "material": "a", "file": "m.obj"})";
+  const std::string other = R"({"type": "mesh", "material": "b", "file": ".//m.obj"})";
+  const FlatScene flat = folder.load(sceneWith(shape + "," + other + "," + shape)).flat;
+  const FlatScene one = mesh(kTetrahedron);
+  const std::size_t n = one.vertices.size();
+  ASSERT_EQ(flat.vertices.size(), 3 * n);
+  ASSERT_EQ(flat.triangles.size(), 3 * one.triangles.size());
+  for (std::size_t i = 0; i < 3 * n; ++i) EXPECT_EQ(flat.vertices[i], one.vertices[i % n]);
 }
 
 TEST(Mesh, CutsFacesOfManyVerticesIntoTriangles) {
