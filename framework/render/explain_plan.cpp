@@ -77,9 +77,12 @@ PlanLine backs(const FlatSceneView& scene) {
 }
 
 // "10 of 32 triangles and 2 of 2 spheres", without a kind that the scene has none of.
+// Of the primitives that a flat loop tests.
 std::string shares(const Plan& plan, const FlatSceneView& scene) {
   std::vector<std::string> parts;
-  if (!scene.triangles.empty())
+  if (plan.triangles == TriangleTest::kHierarchy)
+    parts.push_back("the hierarchy of all triangles");
+  else if (!scene.triangles.empty())
     parts.push_back(fmt::format("{} of {}", plan.occludingTriangles.size(),
                                 counted(scene.triangles.size(), "triangle", "triangles")));
   if (!scene.spheres.empty())
@@ -91,7 +94,9 @@ std::string shares(const Plan& plan, const FlatSceneView& scene) {
 PlanLine shadowRays(const Plan& plan, const FlatSceneView& scene) {
   if (scene.lights.empty()) return {"shadow rays", "none", "there is no light"};
   if (scene.maxBounces == 0) return {"shadow rays", "none", "paths end at the first surface"};
-  const std::size_t triangles = scene.triangles.size() - plan.occludingTriangles.size();
+  const std::size_t triangles = plan.triangles == TriangleTest::kFlatLoop
+                                    ? scene.triangles.size() - plan.occludingTriangles.size()
+                                    : 0;
   const std::size_t spheres = scene.spheres.size() - plan.occludingSpheres.size();
   std::vector<std::string> bounding;
   if (triangles > 0) bounding.push_back(counted(triangles, "triangle", "triangles"));

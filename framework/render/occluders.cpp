@@ -52,7 +52,9 @@ bool boundsScene(const FlatSceneView& scene, const FlatTriangle& triangle, doubl
     const double height = glm::dot(toVector3(sphere.centre) - a, n);
     heights.add(height - radiusOf(sphere), height + radiusOf(sphere));
   }
-  return heights.least >= -tolerance || heights.most <= tolerance;
+  // A lamp whose back is turned to the scene hides itself from whoever forgets its cosine.
+  const bool shines = scene.shapes[triangle.shape].emission != Float3{};
+  return heights.least >= -tolerance || (!shines && heights.most <= tolerance);
 }
 
 bool surroundsScene(const FlatSceneView& scene, const FlatSphere& sphere, double tolerance) {
