@@ -1,5 +1,7 @@
 #include "intersect/embree_intersector.h"
 
+#include "math/rounding.h"
+
 #if PATHMARK_EMBREE == 4
 #include <embree4/rtcore.h>
 #else
@@ -37,7 +39,7 @@ struct Candidate {
   Vector direction;
 
   Candidate(const RTCFilterFunctionNArguments& arguments, unsigned i)
-      : scene(*static_cast<const FlatSceneView*>(arguments.geometryUserPtr)),
+      : scene(static_cast<const EmbreeIntersector::Scene*>(arguments.geometryUserPtr)->view),
         triangle(scene.triangles[RTCHitN_primID(arguments.hit, arguments.N, i)]),
         origin(RTCRayN_org_x(arguments.ray, arguments.N, i),
                RTCRayN_org_y(arguments.ray, arguments.N, i),
@@ -64,46 +66,53 @@ void passThroughBacks(const RTCFilterFunctionNArguments* arguments) {
     if (arguments->valid[i] != 0 && !Candidate(*arguments, i).isThere()) arguments->valid[i] = 0;
 }
 
-void passThroughRounding(const RTCFilterFunctionNArguments* arguments) {
-  for (unsigned i = 0; i < arguments->N; ++i)
-    if (arguments->valid[i] != 0 && !Candidate(*arguments, i).isOnSegment())
-      arguments->valid[i] = 0;
+// Embree works with corners relative to a ray's origin, rounded. That turns a triangle's normal by
+// up to a few roundoffs of the scene's size over the triangle's height, and so moves the heights of
+// a segment's ends above its plane by this times the scene's size at most. Ends that are higher
+// than this are on different sides indeed: no need to look at the triangle, which is seldom in a
+// cache.
+float heightError(const FlatSceneView& scene) {
+  constexpr float kRoundoffs = 8.0f;
+  float magnitude = 0.0f, lowest = std::numeric_limits<float>::infinity();
+  for (const FlatTriangle& triangle : scene.triangles) {
+    const std::array<Float3, 3> corners = scene.corners(triangle);
+    const auto corner = [&](std::size_t k) {
+      return Vector(corners[k][0], corners[k][1], corners[k][2]);
+    };
+    const Vector a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a;
+    const float longest = std::max({dot(a, a), dot(b, b), dot(c, c)});
+    const Vector n = cross(a, b);
+    lowest = std::min(lowest, dot(n, n) / longest);
+    for (std::size_t k = 0; k < 3; ++k)
+      magnitude = std::max(magnitude, largestComponent(corner(k)));
+  }
+  const float size = 2.0f * magnitude;
+  return kRoundoffs * kUnitRoundoff * size * size / std::sqrt(lowest);
 }
 
-// Where no triangle is thin, only hits near an end of the segment are put there by rounding: of
-// rays along the surface, whose cosine is below 1e-3, and then within 0.05 of the end. The other
-// hits are answered without a look at their triangles, which are seldom in a cache.
-void passThroughRoundingAtEnds(const RTCFilterFunctionNArguments* arguments) {
-  constexpr float kEnd = 0.125f;
+bool endsAreHigh(const RTCFilterFunctionNArguments& arguments, unsigned i, float heightError) {
+  const Vector n(RTCHitN_Ng_x(arguments.hit, arguments.N, i),
+                 RTCHitN_Ng_y(arguments.hit, arguments.N, i),
+                 RTCHitN_Ng_z(arguments.hit, arguments.N, i));
+  const Vector segment(RTCRayN_dir_x(arguments.ray, arguments.N, i),
+                       RTCRayN_dir_y(arguments.ray, arguments.N, i),
+                       RTCRayN_dir_z(arguments.ray, arguments.N, i));
+  const float t = RTCRayN_tfar(arguments.ray, arguments.N, i);
+  const float lower = std::min(t, 1.0f - t) * dot(segment, n);
+  return lower * lower > heightError * heightError * dot(n, n);
+}
+
+void passThroughRounding(const RTCFilterFunctionNArguments* arguments) {
+  const auto& scene = *static_cast<const EmbreeIntersector::Scene*>(arguments->geometryUserPtr);
   for (unsigned i = 0; i < arguments->N; ++i) {
-    const float t = RTCRayN_tfar(arguments->ray, arguments->N, i);
-    if (t > kEnd && t < 1.0f - kEnd) continue;
-    if (arguments->valid[i] != 0 && !Candidate(*arguments, i).isOnSegment())
-      arguments->valid[i] = 0;
+    if (arguments->valid[i] == 0 || endsAreHigh(*arguments, i, scene.heightError)) continue;
+    if (!Candidate(*arguments, i).isOnSegment()) arguments->valid[i] = 0;
   }
 }
 
 void passThroughBacksAndRounding(const RTCFilterFunctionNArguments* arguments) {
   passThroughBacks(arguments);
   passThroughRounding(arguments);
-}
-
-// Less than a quarter as high as long.
-bool isThin(const std::array<Float3, 3>& corners) {
-  constexpr float kThin = 0.25f;
-  const auto corner = [&](std::size_t k) {
-    return Vector(corners[k][0], corners[k][1], corners[k][2]);
-  };
-  const Vector a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a, n = cross(a, b);
-  const float longest = std::max({dot(a, a), dot(b, b), dot(c, c)});
-  return dot(n, n) < kThin * kThin * longest * longest;
-}
-
-RTCFilterFunctionN shadowFilterFor(const FlatSceneView& scene, bool frontOnly) {
-  if (frontOnly) return passThroughBacksAndRounding;
-  const bool thin = std::any_of(scene.triangles.begin(), scene.triangles.end(),
-                                [&](const FlatTriangle& t) { return isThin(scene.corners(t)); });
-  return thin ? passThroughRounding : passThroughRoundingAtEnds;
 }
 
 // Embree reads vertices 16 bytes at a time, and so 4 bytes beyond the last. In a packed scene the
@@ -128,16 +137,18 @@ void giveVertices(RTCGeometry geometry, const FlatSceneView& view) {
     std::copy(view.vertices.begin(), view.vertices.end(), static_cast<Float3*>(vertices));
 }
 
-void addTriangles(RTCDevice device, RTCScene scene, const FlatSceneView& view) {
+void addTriangles(RTCDevice device, RTCScene scene, const EmbreeIntersector::Scene& triangles) {
+  const FlatSceneView& view = triangles.view;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   giveVertices(geometry, view);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              view.triangles.data(), offsetof(FlatTriangle, vertex),
                              sizeof(FlatTriangle), view.triangles.size());
-  rtcSetGeometryUserData(geometry, const_cast<FlatSceneView*>(&view));
+  rtcSetGeometryUserData(geometry, const_cast<EmbreeIntersector::Scene*>(&triangles));
   const bool frontOnly = view.anyFrontOnly();
   if (frontOnly) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
-  rtcSetGeometryOccludedFilterFunction(geometry, shadowFilterFor(view, frontOnly));
+  rtcSetGeometryOccludedFilterFunction(
+      geometry, frontOnly ? passThroughBacksAndRounding : passThroughRounding);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -170,11 +181,12 @@ void EmbreeIntersector::Release::operator()(RTCDeviceTy* device) const { rtcRele
 void EmbreeIntersector::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
 EmbreeIntersector::EmbreeIntersector(const FlatSceneView& scene)
-    : view_(std::make_unique<FlatSceneView>(scene)), device_(rtcNewDevice(nullptr)) {
+    : triangles_(std::make_unique<Scene>(Scene{scene, heightError(scene)})),
+      device_(rtcNewDevice(nullptr)) {
   if (!device_) throw std::runtime_error("Embree cannot be started.");
   scene_.reset(rtcNewScene(device_.get()));
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  addTriangles(device_.get(), scene_.get(), *view_);
+  addTriangles(device_.get(), scene_.get(), *triangles_);
   rtcCommitScene(scene_.get());
   if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE) {
     throw std::runtime_error("Embree cannot build the scene: error " +
@@ -197,8 +209,8 @@ bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) c
     rtcIntersect1(scene_.get(), &context, &query);
 #endif
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-    const FlatTriangle& triangle = view_->triangles[query.hit.primID];
-    if (planeDistance(*view_, triangle, ray.origin, ray.direction) > 0.0f) {
+    const FlatTriangle& triangle = triangles_->view.triangles[query.hit.primID];
+    if (planeDistance(triangles_->view, triangle, ray.origin, ray.direction) > 0.0f) {
       hit = {query.ray.tfar, query.hit.primID, false};
       return true;
     }

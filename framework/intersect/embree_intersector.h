@@ -21,6 +21,12 @@ namespace pathmark {
 
 class EmbreeIntersector {
  public:
+  // What Embree is told to look at when it asks about a hit.
+  struct Scene {
+    FlatSceneView view;
+    float heightError;  // of Embree's heights of a segment's ends above a triangle's plane
+  };
+
   // Spheres are left out. The memory behind the view must outlive the intersector.
   explicit EmbreeIntersector(const FlatSceneView& scene);
   ~EmbreeIntersector();
@@ -37,7 +43,7 @@ class EmbreeIntersector {
     void operator()(RTCSceneTy* scene) const;
   };
 
-  std::unique_ptr<const FlatSceneView> view_;  // at one address, which Embree is told
+  std::unique_ptr<const Scene> triangles_;  // at one address, which Embree is told
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };

@@ -77,7 +77,6 @@ PlanLine backs(const FlatSceneView& scene) {
 }
 
 // "10 of 32 triangles and 2 of 2 spheres", without a kind that the scene has none of.
-// Of the primitives that a flat loop tests.
 std::string shares(const Plan& plan, const FlatSceneView& scene) {
   std::vector<std::string> parts;
   if (plan.triangles == TriangleTest::kHierarchy)

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -21,12 +22,18 @@ constexpr float kSmallestRadius = 1e-12f;
 std::uint32_t count(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 // Of a triangle as a worker sees it: with its corners in float. 0 if it is a line or a point.
-double roundedArea(std::span<const glm::dvec3> vertices, const TriangleIndices& t) {
-  const auto corner = [&](std::size_t k) { return toDouble3(toFloat3(vertices[t[k]])); };
+double roundedArea(std::span<const Float3> vertices, const TriangleIndices& t) {
+  const auto corner = [&](std::size_t k) { return toDouble3(vertices[t[k]]); };
   const glm::dvec3 a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a;
   const double doubled = glm::length(glm::cross(a, b));
   const double longest = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)});
   return doubled > kFlatArea * longest ? 0.5 * doubled : 0.0;
+}
+
+double roundedArea(std::span<const glm::dvec3> vertices, const TriangleIndices& t) {
+  const std::array corners{toFloat3(vertices[t[0]]), toFloat3(vertices[t[1]]),
+                           toFloat3(vertices[t[2]])};
+  return roundedArea(corners, {0, 1, 2});
 }
 
 class Flattener {
@@ -86,9 +93,10 @@ class Flattener {
   void addMesh(const ShapeDescription& mesh, const Place& place) {
     const std::uint32_t first = count(flat_.vertices.size());
     for (const glm::dvec3& v : mesh.vertices) flat_.vertices.push_back(toFloat3(v));
+    const std::span<const Float3> rounded = std::span(flat_.vertices).subspan(first);
     std::size_t kept = 0;
     for (const TriangleIndices& t : mesh.triangles) {
-      if (roundedArea(mesh.vertices, t) == 0.0) continue;
+      if (roundedArea(rounded, t) == 0.0) continue;
       const glm::dvec3& p = mesh.vertices[t[0]];
       const glm::dvec3 normal = glm::cross(mesh.vertices[t[1]] - p, mesh.vertices[t[2]] - p);
       flat_.triangles.push_back({{first + t[0], first + t[1], first + t[2]},
