@@ -154,13 +154,13 @@ class RaysBench {
       const RayRates r = measure(subject, RayKind::kPath);
       (r.flat >= r.embree ? low : high) = middle;
     }
-    addFigure({.key = "crossover",
-               .name = "most triangles for which the flat loop is faster",
-               .value = static_cast<double>(low),
-               .note = fmt::format("chained rays with shadow rays{}; scenes of fewer than {} "
-                                   "triangles are rendered with the flat loop",
-                                   beyond ? ", and more were not measured" : "",
-                                   kFewestForHierarchy)});
+    addFigure(
+        {.key = "crossover",
+         .name = "most triangles for which the flat loop is faster",
+         .value = static_cast<double>(low),
+         .note = fmt::format("chained rays with shadow rays{}; scenes of fewer than {} "
+                             "triangles are rendered with the flat loop",
+                             beyond ? ", and more were not measured" : "", kFewestForHierarchy)});
   }
 
   void spheres() {
