@@ -1,6 +1,7 @@
 // What is decided when a scene is loaded, and that rays are answered alike whatever it is.
 #include "intersect/intersector.h"
 #include "render/explain_plan.h"
+#include "render/occluders.h"
 #include "support/random_scene.h"
 
 #include <gtest/gtest.h>
@@ -44,6 +45,7 @@ TEST(Plan, EitherKindOfIntersectorMeetsTheSame) {
     Plan planned = planFor(scene.view(), ShadowOrigins::kAnywhere), other = planned;
     other.triangles = planned.triangles == TriangleTest::kHierarchy ? TriangleTest::kFlatLoop
                                                                     : TriangleTest::kHierarchy;
+    other.occludingTriangles = allPrimitives(scene.view()).triangles;
     const Intersector one(scene.view(), planned), two(scene.view(), other);
     RandomNumbers random(22);
     constexpr int kRays = 50000;
