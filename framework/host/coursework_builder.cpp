@@ -150,7 +150,7 @@ bool compileObject(const std::string& code, const fs::path& source, const fs::pa
   return true;
 }
 
-void buildPart(PartBuild& part, fs::path& object) {
+void buildPart(PartBuild& part) {
   std::error_code error;
   if (fs::file_size(part.source, error) > kLargestSource && !error) {
     part.messages = " it is larger than 1 MiB, and coursework files have a few kilobytes.";
@@ -173,13 +173,13 @@ void buildPart(PartBuild& part, fs::path& object) {
   } else {
     part.compiled = compileObject(*code, part.source, made, part.messages);
   }
-  if (part.compiled) object = made;
+  if (part.compiled) part.object = made;
 }
 
-void buildParts(std::vector<PartBuild>& parts, std::vector<fs::path>& objects) {
+void buildParts(std::vector<PartBuild>& parts) {
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = 0; (i = next++) < parts.size();) buildPart(parts[i], objects[i]);
+    for (std::size_t i = 0; (i = next++) < parts.size();) buildPart(parts[i]);
   };
   // Futures, because they carry an exception over: the build folder may be full or not writable.
   std::vector<std::future<void>> others;
@@ -213,38 +213,50 @@ ProcessResult runLinker(const std::vector<std::string>& framework,
   return runProcess(request);
 }
 
-void link(CourseworkBuild& result, const std::vector<fs::path>& objects, Incomplete policy) {
-  const std::vector<std::string> framework = readLines(kBuildFolder / "worker_objects.txt");
+// The place of a worker that is made of these.
+fs::path linkedFolder(const std::vector<std::string>& framework,
+                      const std::vector<fs::path>& objects, std::string_view kind = {}) {
   std::string inputs;
   for (const std::string& object : framework) inputs += stamp(object);
   for (const fs::path& object : objects) inputs += object.filename().string() + "\n";
-  const fs::path folder = kBuildFolder / "workers/linked" / contentHash(inputs);
-  const fs::path worker = folder / "worker";
-  if (fs::exists(worker)) {
+  return kBuildFolder / "workers/linked" / contentHash(inputs.append(kind));
+}
+
+// Returns the linker's words, if it fails.
+std::string linkInto(const fs::path& folder, const std::vector<std::string>& framework,
+                     const std::vector<fs::path>& objects, bool lenient) {
+  if (fs::exists(folder / "worker")) {
     markUsed(folder);
-    result.worker = worker;
-    return;
+    return {};
   }
   const ScratchFolder scratch;
   const fs::path made = scratch / "worker";
-  ProcessResult linked = runLinker(framework, objects, made, !result.complete());
-  if (linked.exitCode != 0) {
-    result.linkMessages = linked.output;
-    if (policy == Incomplete::kNoWorker) return;
-    // In a place of its own: the next request for a whole worker must fail again.
-    const fs::path partial = kBuildFolder / "workers/linked" / contentHash(inputs + "partial");
-    linked = runLinker(framework, objects, made, true);
-    if (linked.exitCode != 0) return;
-    fs::create_directories(partial);
-    fs::rename(made, partial / "worker");
-    result.worker = partial / "worker";
-    return;
-  }
+  const ProcessResult linked = runLinker(framework, objects, made, lenient);
+  if (linked.exitCode != 0) return linked.output.empty() ? "The linker failed.\n" : linked.output;
   fs::create_directories(folder);
-  fs::rename(made, worker);
-  result.worker = worker;
+  fs::rename(made, folder / "worker");
   pruneCache(kBuildFolder / "workers/linked");
   pruneCache(kBuildFolder / "workers/objects");
+  return {};
+}
+
+std::vector<std::string> frameworkObjects() {
+  return readLines(kBuildFolder / "worker_objects.txt");
+}
+
+void link(CourseworkBuild& result, Incomplete policy) {
+  const std::vector<std::string> framework = frameworkObjects();
+  std::vector<fs::path> objects;
+  for (const PartBuild& part : result.parts) objects.push_back(part.object);
+  fs::path folder = linkedFolder(framework, objects);
+  result.linkMessages = linkInto(folder, framework, objects, !result.complete());
+  if (!result.linkMessages.empty()) {
+    if (policy == Incomplete::kNoWorker) return;
+    // In a place of its own: the next request for a whole worker must fail again.
+    folder = linkedFolder(framework, objects, "partial");
+    if (!linkInto(folder, framework, objects, true).empty()) return;
+  }
+  result.worker = folder / "worker";
 }
 
 // The functions of the contract that the linker has not found anywhere. A class's table comes with
@@ -264,6 +276,15 @@ std::vector<std::string_view> undefinedFunctions(const std::string& linkMessages
   return names;
 }
 
+std::string linkFailure(const fs::path& folder, const std::string& messages) {
+  const std::vector<std::string_view> undefined = undefinedFunctions(messages);
+  if (undefined.empty()) return fmt::format("{} does not link:\n{}", displayPath(folder), messages);
+  return fmt::format(
+      "{} defines no {} with the parameters that the header declares; is a name or a type "
+      "different, or \"const\" missing?\n",
+      displayPath(folder), fmt::join(undefined, ", "));
+}
+
 }  // namespace
 
 bool CourseworkBuild::complete() const {
@@ -275,14 +296,7 @@ std::string CourseworkBuild::failure() const {
   for (const PartBuild& p : parts)
     if (!p.compiled)
       text += fmt::format("{} does not compile:{}\n", displayPath(p.source), p.messages);
-  const std::vector<std::string_view> undefined = undefinedFunctions(linkMessages);
-  if (!undefined.empty())
-    text += fmt::format(
-        "{} defines no {} with the parameters that the header declares; is a name or a type "
-        "different, or \"const\" missing?\n",
-        displayPath(folder), fmt::join(undefined, ", "));
-  else if (!linkMessages.empty())
-    text += fmt::format("{} does not link:\n{}", displayPath(folder), linkMessages);
+  if (!linkMessages.empty()) text += linkFailure(folder, linkMessages);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
 }
@@ -291,11 +305,29 @@ CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy) {
   CourseworkBuild result;
   result.folder = folder;
   for (const PartContract& part : parts())
-    result.parts.push_back({part, folder / part.file, {}, {}});
-  std::vector<fs::path> objects(result.parts.size());
-  buildParts(result.parts, objects);
-  if (result.complete() || policy == Incomplete::kLeaveThemOut) link(result, objects, policy);
+    result.parts.push_back({part, folder / part.file, {}, {}, {}});
+  buildParts(result.parts);
+  if (policy == Incomplete::kLeaveThemOut || (policy == Incomplete::kNoWorker && result.complete()))
+    link(result, policy);
   return result;
+}
+
+LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int> parts) {
+  const std::vector<std::string> framework = frameworkObjects(),
+                                 standIns = readLines(kBuildFolder / "standin_objects.txt");
+  std::vector<std::string> given = framework;
+  std::vector<fs::path> objects;
+  for (const PartBuild& part : build.parts) {
+    const auto number = static_cast<std::size_t>(part.part.part);
+    if (std::find(parts.begin(), parts.end(), part.part.part) != parts.end())
+      objects.push_back(part.object);
+    else
+      given.push_back(standIns.at(number));
+  }
+  const fs::path folder = linkedFolder(given, objects);
+  const std::string messages = linkInto(folder, given, objects, false);
+  if (messages.empty()) return {folder / "worker", {}};
+  return {{}, linkFailure(build.folder, messages)};
 }
 
 fs::path courseworkFolder(const std::string& with) {

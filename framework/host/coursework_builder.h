@@ -8,6 +8,7 @@
 #include "worker/contract.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace pathmark {
 struct PartBuild {
   PartContract part;
   std::filesystem::path source;
+  std::filesystem::path object;  // empty if it could not be compiled
   bool compiled = false;
   std::string messages;  // warnings of a new compilation, or why the part could not be compiled
 };
@@ -31,6 +33,7 @@ struct CourseworkBuild {
 };
 
 enum class Incomplete {
+  kCompileOnly,   // no worker, complete or not
   kNoWorker,      // a part that does not compile: no worker
   kLeaveThemOut,  // a worker without those parts, good for asking which stubs are left
 };
@@ -38,6 +41,15 @@ enum class Incomplete {
 // Throws std::system_error if the compiler cannot be run or the build folder not be written.
 CourseworkBuild buildCoursework(const std::filesystem::path& folder,
                                 Incomplete policy = Incomplete::kNoWorker);
+
+struct LinkedWorker {
+  std::filesystem::path worker;  // empty if it could not be made
+  std::string failure;           // why: sentences with the linker's words
+};
+
+// A worker with some parts of the coursework, which have been compiled, and with stand-ins for the
+// others: what is wrong in another part cannot show in it. Throws as buildCoursework does.
+LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int> parts);
 
 // The folder meant by --with: "student" and "solutions" are the project's own.
 std::filesystem::path courseworkFolder(const std::string& with);

@@ -203,6 +203,41 @@ std::vector<std::uint32_t> WorkerProcess::call(CourseworkFunction function,
   return words;
 }
 
+std::vector<Estimate> WorkerProcess::estimate(const EstimateRequest& request,
+                                              std::span<const std::uint32_t> inputs) {
+  std::vector<std::byte> body;
+  append(body, bytesOf(request));
+  append(body, std::as_bytes(inputs));
+  const auto started = Clock::now();
+  const std::uint64_t bytes = std::uint64_t{request.calls} * request.replicates * sizeof(Estimate);
+  const std::uint32_t sequence = sendRequest(MessageKind::kEstimate, body, -1);
+  const auto reply =
+      awaitReply(MessageKind::kEstimate, sequence, 0, bytes, [&] { return silentFor(started); });
+  if (reply.size() != bytes)
+    fail(WorkerFault::kNonsense, "The worker's estimates do not fit what was asked.");
+  std::vector<Estimate> estimates(reply.size() / sizeof(Estimate));
+  if (!estimates.empty()) std::memcpy(estimates.data(), reply.data(), reply.size());
+  return estimates;
+}
+
+RecordedPixel WorkerProcess::recordPixel(const RecordPixelRequest& request) {
+  const auto started = Clock::now();
+  const std::uint64_t most =
+      sizeof(RecordPixelReply) +
+      (static_cast<std::uint64_t>(request.rays) + kExtraRecordedRays) * sizeof(RecordedRay);
+  const std::uint32_t sequence = sendRequest(MessageKind::kRecordPixel, bytesOf(request), -1);
+  const auto reply = awaitReply(MessageKind::kRecordPixel, sequence, sizeof(RecordPixelReply), most,
+                                [&] { return silentFor(started); });
+  if ((reply.size() - sizeof(RecordPixelReply)) % sizeof(RecordedRay) != 0)
+    fail(WorkerFault::kNonsense, "The worker's record of a pixel makes no sense.");
+  RecordedPixel pixel{valueOf<RecordPixelReply>(reply), {}};
+  pixel.rays.resize((reply.size() - sizeof(RecordPixelReply)) / sizeof(RecordedRay));
+  if (!pixel.rays.empty())
+    std::memcpy(pixel.rays.data(), reply.data() + sizeof(RecordPixelReply),
+                pixel.rays.size() * sizeof(RecordedRay));
+  return pixel;
+}
+
 std::uint32_t WorkerProcess::sendRequest(MessageKind kind, std::span<const std::byte> body,
                                          int descriptor) {
   if (pid_ <= 0) throw std::logic_error("the worker has ended");

@@ -5,6 +5,8 @@
 //   loadScene          hands a scene over
 //   render             adds rays to a film
 //   call               calls a coursework function on given inputs
+//   estimate           means of an estimator over many rays
+//   recordPixel        what renderPixel does, ray by ray
 //
 // Everything a worker can do wrong (crash, fall silent, print without end, end by itself, answer
 // nonsense) ends it and is thrown as a WorkerError whose text is a sentence for a student.
@@ -55,6 +57,11 @@ struct WorkerLimits {
   std::size_t memoryBytes = std::size_t{8} << 30;  // of address space
 };
 
+struct RecordedPixel {
+  RecordPixelReply counts;
+  std::vector<RecordedRay> rays;
+};
+
 struct RenderProgress {
   std::uint64_t pixelPassesDone = 0;
   std::uint64_t raysTraced = 0;
@@ -87,6 +94,14 @@ class WorkerProcess {
   std::vector<std::uint32_t> call(CourseworkFunction function,
                                   std::span<const std::uint32_t> object,
                                   std::span<const std::uint32_t> inputs);
+
+  // Means of directLighting or tracePath; `inputs` holds request.calls calls, as protocol.h says.
+  // Needs a scene.
+  std::vector<Estimate> estimate(const EstimateRequest& request,
+                                 std::span<const std::uint32_t> inputs);
+
+  // Needs a scene, and a worker in which tracePath is the stand-in that records.
+  RecordedPixel recordPixel(const RecordPixelRequest& request);
 
   // Ends the worker for an answer that a closer look has shown to be none, and throws.
   [[noreturn]] void refuseAnswer(const std::string& sentence);

@@ -5,11 +5,14 @@
 #include "worker/call_table.h"
 #include "worker/channel.h"
 #include "worker/crash_handler.h"
+#include "worker/estimate.h"
+#include "worker/pixel_recorder.h"
 #include "worker/protocol.h"
 
 #include <pathmark/unimplemented.h>
 
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <optional>
 
@@ -78,14 +81,19 @@ const SceneCore* sceneForCalls(WorkerState& state) {
   return state.sceneAnywhere.get();
 }
 
+// The words after a request's own fields.
+template <class Request>
+std::span<const std::uint32_t> wordsAfter(const Message& request) {
+  return {reinterpret_cast<const std::uint32_t*>(request.body.data() + sizeof(Request)),
+          (request.body.size() - sizeof(Request)) / sizeof(std::uint32_t)};
+}
+
 void answerCall(const Message& request, WorkerState& state) {
   std::vector<std::uint32_t> outputs;
   const auto* body = request.as<CallRequest>();
   if (body && body->function < contract().size()) {
     const auto function = static_cast<CourseworkFunction>(body->function);
-    const std::span words(
-        reinterpret_cast<const std::uint32_t*>(request.body.data() + sizeof *body),
-        (request.body.size() - sizeof *body) / sizeof(std::uint32_t));
+    const std::span words = wordsAfter<CallRequest>(request);
     const std::size_t inputs = body->count * contractOf(function).inputWords;
     if (words.size() == body->objectWords + inputs)
       outputs = callCoursework(
@@ -93,6 +101,34 @@ void answerCall(const Message& request, WorkerState& state) {
           contractOf(function).needsScene ? sceneForCalls(state) : nullptr);
   }
   sendReply(request, std::as_bytes(std::span(outputs)));
+}
+
+void answerEstimate(const Message& request, WorkerState& state) {
+  std::vector<Estimate> estimates;
+  const auto* body = request.as<EstimateRequest>();
+  const SceneCore* scene = sceneForCalls(state);
+  if (body && scene) estimates = estimate(*body, wordsAfter<EstimateRequest>(request), *scene);
+  sendReply(request, std::as_bytes(std::span(estimates)));
+}
+
+void answerRecordPixel(const Message& request, WorkerState& state) {
+  const auto* body = request.as<RecordPixelRequest>();
+  const SceneCore* scene = sceneForCalls(state);
+  if (!body || !scene) return sendReply(request, {});
+  const auto vector = [&](int at) {
+    return vec3(body->camera[at], body->camera[at + 1], body->camera[at + 2]);
+  };
+  const SimpleCamera camera(vector(0), vector(3), vector(6), vector(9), body->width, body->height);
+  PixelRecorder recorder(*body);
+  const Colour mean = LitScene(*scene, scene->maxBounces())
+                          .renderPixel(body->i, body->j, camera, body->rays, recorder);
+  RecordPixelReply reply = recorder.counts();
+  for (int c = 0; c < 3; ++c) reply.mean[c] = mean[c];
+  std::vector<std::byte> bytes(sizeof reply + recorder.rays().size() * sizeof(RecordedRay));
+  std::memcpy(bytes.data(), &reply, sizeof reply);
+  if (!recorder.rays().empty())
+    std::memcpy(bytes.data() + sizeof reply, recorder.rays().data(), bytes.size() - sizeof reply);
+  sendReply(request, bytes);
 }
 
 void serve() {
@@ -110,6 +146,12 @@ void serve() {
         break;
       case MessageKind::kCall:
         answerCall(*request, state);
+        break;
+      case MessageKind::kEstimate:
+        answerEstimate(*request, state);
+        break;
+      case MessageKind::kRecordPixel:
+        answerRecordPixel(*request, state);
         break;
       default:
         return;

@@ -9,6 +9,8 @@
 //   kLoadScene   LoadSceneRequest + descriptor of a packed scene, sealed -> LoadSceneReply
 //   kRender      RenderRequest + descriptor of a film -> RenderResult, or nothing without a scene
 //   kCall        CallRequest, object words, input words -> output words
+//   kEstimate    EstimateRequest, input words -> Estimate[calls x replicates]
+//   kRecordPixel RecordPixelRequest -> RecordPixelReply, RecordedRay[]
 #pragma once
 
 #include "render/progress_board.h"
@@ -32,6 +34,8 @@ enum class MessageKind : std::uint32_t {
   kLoadScene = 3,
   kRender = 4,
   kCall = 5,
+  kEstimate = 6,
+  kRecordPixel = 7,
 };
 
 struct MessageHeader {
@@ -70,6 +74,53 @@ struct CallRequest {
   std::uint32_t objectWords = 0;
   std::uint64_t count = 0;
 };
+
+// Means of an estimator over many rays, in independently randomised replicates. A call has the
+// words of contract.h without the seed; tracePath's has the largest number of bounces after its
+// ray. Replicate r of call c is in place c x replicates + r of the answer.
+struct EstimateRequest {
+  std::uint32_t function = 0;  // CourseworkFunction: directLighting or tracePath
+  SamplerKind sampler = SamplerKind::kSobol;
+  std::uint64_t seed = 0;
+  std::uint32_t replicates = 1;
+  std::uint32_t calls = 0;
+  std::uint64_t rays = 1;  // of one replicate of one call
+};
+
+struct Estimate {
+  double mean[3] = {0.0, 0.0, 0.0};  // radiance; of the valid values only
+  std::uint64_t invalid = 0;         // values that are not finite, or negative
+};
+
+// What numbers renderPixel is given: independent ones in [0,1), or one number again and again.
+enum class RecordedNumbers : std::uint32_t { kRandom = 0, kConstant = 1 };
+
+struct RecordPixelRequest {
+  float camera[12] = {};  // eye, topLeft, pixelRight, pixelDown
+  std::int32_t width = 1, height = 1;
+  std::int32_t i = 0, j = 0, rays = 1;
+  RecordedNumbers numbers = RecordedNumbers::kRandom;
+  float constant = 0.0f;
+  std::uint32_t reserved = 0;
+  std::uint64_t seed = 0;
+};
+
+struct RecordPixelReply {
+  float mean[3] = {};              // what renderPixel returned
+  std::uint32_t started = 0;       // calls of startRay
+  std::uint32_t strayNumbers = 0;  // taken before any startRay
+  std::uint32_t traced = 0;        // calls of tracePath; those beyond the list are only counted
+};
+
+struct RecordedRay {
+  float origin[3] = {}, direction[3] = {};
+  std::int32_t startRay = -1;       // argument of the startRay before it
+  std::uint32_t startedBefore = 0;  // calls of startRay before it
+  std::uint32_t numbers = 0;        // taken since the last startRay
+};
+
+// Rays that are recorded beyond those that were asked for.
+inline constexpr std::uint32_t kExtraRecordedRays = 16;
 
 // Written to the crash pipe in one piece by a worker that dies, or that is asked by SIGUSR1 where
 // it is.

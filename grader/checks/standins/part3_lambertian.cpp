@@ -1,0 +1,23 @@
+// Stands in for part 3 where another part is checked: reflects equally to all sides, by directions
+// that are uniform on the hemisphere.
+#include "checks/standins/uniform_direction.h"
+
+#include <pathmark/coursework.h>
+
+namespace pathmark {
+
+Colour lambertianBRDF::brdf(const Vector& wo, const Vector& wi, const Vector& n) const {
+  return dot(wo, n) > 0.0f && dot(wi, n) > 0.0f ? Kd * kInvPi : Colour(0.0f);
+}
+
+float lambertianBRDF::pdf(const Vector&, const Vector& wi, const Vector& n) const {
+  return dot(wi, n) > 0.0f ? kUniformDensity : 0.0f;
+}
+
+DirectionSample lambertianBRDF::reflection(const Vector& wo, const Vector& n, float s, float t,
+                                           float) const {
+  const Vector wi = uniformDirection(n, s, t);
+  return {wi, pdf(wo, wi, n)};
+}
+
+}  // namespace pathmark
