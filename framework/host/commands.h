@@ -22,4 +22,7 @@ void addReferenceCommand(CLI::App& app, CommandAction& action);
 void addBenchCommand(CLI::App& app, CommandAction& action);
 void addBuildCommand(CLI::App& app, CommandAction& action);
 
+// Those of the grader, which defines this function: the host does not know the grader.
+void addGraderCommands(CLI::App& app, CommandAction& action);
+
 }  // namespace pathmark

@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
                    "  ./pathmark test --preset asan            (with the sanitizers)\n"
                    "  ./pathmark test -R Sphere                (further words go to ctest)");
   addStatusCommand(app, action);
+  addGraderCommands(app, action);
   addRenderCommand(app, action);
   addCompareCommand(app, action);
   addContactSheetCommand(app, action);

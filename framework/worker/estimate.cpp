@@ -53,6 +53,7 @@ Estimate meanOf(const OneRay& oneRay, PixelSampler& sampler, std::uint64_t rays)
   Estimate result;
   for (std::uint64_t m = 0; m < rays; ++m) {
     sampler.startRay(static_cast<int>(m));
+    sampler.next2D();  // the place on the film, which renderPixel takes
     const Colour radiance = oneRay(sampler);
     if (!isRadiance(radiance)) {
       ++result.invalid;

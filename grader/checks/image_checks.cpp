@@ -1,0 +1,7 @@
+#include "checks/all_checks.h"
+
+namespace pathmark::checks {
+
+std::span<const Check> imageChecks() { return {}; }
+
+}  // namespace pathmark::checks

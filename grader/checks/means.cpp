@@ -1,0 +1,94 @@
+#include "checks/means.h"
+
+#include "stats/replicate_test.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pathmark::checks {
+
+namespace {
+
+stats::Guarantee guaranteeOf(const Mean& mean, int looks) {
+  stats::Guarantee guarantee;
+  guarantee.alpha = stats::kStatisticAlpha;
+  guarantee.tolerance = mean.tolerance * mean.scale;
+  guarantee.delta = mean.delta * mean.scale;
+  guarantee.looks = looks;
+  // A quarter of the tolerance, so that rounding alone is never many standard errors.
+  guarantee.deviationFloor = 0.25 * mean.tolerance * mean.scale;
+  guarantee.skewness = mean.skewness;
+  return guarantee;
+}
+
+// Matches all means by what is measured, and is not as good as right.
+bool explains(const Suspicion& suspicion, const std::vector<Mean>& means,
+              const std::vector<stats::Judgement>& judgements) {
+  constexpr double kSigmas = 5.0;
+  bool differs = false;
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    const double slack =
+        kSigmas * judgements[k].standardError + means[k].tolerance * means[k].scale;
+    if (std::abs(judgements[k].mean - suspicion.means[k]) > slack) return false;
+    if (std::abs(means[k].expected - suspicion.means[k]) > 2.0 * slack) differs = true;
+  }
+  return differs;
+}
+
+Finding describe(const Mean& mean, const stats::Judgement& j, const std::string& where) {
+  Finding finding;
+  finding.where = where;
+  finding.expected = fmt::format("{} = {:.6g}", mean.what, mean.expected);
+  finding.got = fmt::format("{} = {:.6g}", mean.what, j.mean);
+  finding.tolerance = fmt::format("{:.2g} and {:.1f} standard errors of {:.2g}",
+                                  mean.tolerance * mean.scale, j.critical, j.standardError);
+  finding.shown = j.shown / mean.scale;
+  return finding;
+}
+
+}  // namespace
+
+Finding judgeMeans(CheckRun& run, const std::vector<Mean>& means, const Measure& measure,
+                   const std::string& where, const std::vector<Suspicion>& suspicions, int looks) {
+  std::vector<stats::ReplicateTest> tests;
+  for (const Mean& mean : means) {
+    run.budget.take();
+    tests.emplace_back(mean.expected, mean.expectedError, guaranteeOf(mean, looks));
+  }
+  std::vector<stats::Judgement> judgements(means.size());
+  std::size_t worst = 0;
+  std::uint32_t made = 0;
+  for (int look = 0; look < looks; ++look) {
+    const std::uint32_t wanted = kReplicatesOfLook[look];
+    std::vector<double> values(std::size_t{wanted - made} * means.size());
+    measure(made, wanted - made, values);
+    for (std::size_t r = 0; r * means.size() < values.size(); ++r)
+      for (std::size_t k = 0; k < means.size(); ++k) tests[k].add(values[r * means.size() + k]);
+    made = wanted;
+    worst = 0;
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      judgements[k] = tests[k].judge(look);
+      if (stats::worse(judgements[k], judgements[worst])) worst = k;
+    }
+    if (judgements[worst].outcome != stats::Outcome::kUndecided) break;
+  }
+  Finding finding = describe(means[worst], judgements[worst], where);
+  switch (judgements[worst].outcome) {
+    case stats::Outcome::kPass:
+      finding.status = Status::kPass;
+      break;
+    case stats::Outcome::kUndecided:
+      finding.status = Status::kUndecided;
+      break;
+    case stats::Outcome::kFail:
+      finding.status = Status::kFail;
+      for (const Suspicion& suspicion : suspicions)
+        if (finding.cause.empty() && explains(suspicion, means, judgements))
+          finding.cause = suspicion.mistake;
+      break;
+  }
+  return finding;
+}
+
+}  // namespace pathmark::checks

@@ -1,0 +1,42 @@
+// What came of checking a coursework: checks, functions, parts.
+#pragma once
+
+#include "checks/check.h"
+
+#include <string>
+#include <vector>
+
+namespace pathmark::checks {
+
+struct CheckResult {
+  const Check* check = nullptr;
+  Finding finding;
+  double seconds = 0.0;
+};
+
+struct FunctionResult {
+  FunctionContract function;
+  Status status = Status::kPass;  // the worst of its checks
+  std::vector<CheckResult> checks;
+};
+
+struct PartResult {
+  PartContract part;
+  std::string failure;  // why the part could not be checked: it does not compile or link
+  std::vector<FunctionResult> functions;
+};
+
+struct CourseworkResults {
+  std::uint64_t seed = 0;
+  std::vector<PartResult> parts;    // those that were asked for
+  std::vector<CheckResult> images;  // of the whole coursework
+  double seconds = 0.0;
+
+  const FunctionResult* find(CourseworkFunction function) const;
+  bool anythingWrong() const;  // failed or broken; what is not written is not wrong
+};
+
+// How bad a status is, for the worst of several.
+int severity(Status status);
+
+}  // namespace pathmark::checks

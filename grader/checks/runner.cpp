@@ -1,0 +1,308 @@
+#include "checks/runner.h"
+
+#include "checks/all_checks.h"
+#include "checks/scenes.h"
+#include "host/stub_report.h"
+#include "sampling/mix.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace pathmark::checks {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Different checks see different numbers, and a check sees the same with or without the others.
+std::uint64_t seedOf(const Check& check, std::uint64_t seed) {
+  std::uint64_t hash = mix(seed + kGolden);
+  for (const char c : idOf(check)) hash = mix(hash + static_cast<unsigned char>(c) + kGolden);
+  return hash;
+}
+
+// A worker that is started when it is needed, and again after it has died.
+class Bench {
+ public:
+  Bench(std::filesystem::path program, std::filesystem::path coursework, const RunOptions& options)
+      : program_(std::move(program)), coursework_(std::move(coursework)), options_(options) {}
+
+  WorkerProcess& worker() {
+    if (!worker_) {
+      WorkerProcess::Options options;
+      options.program = program_;
+      options.courseworkFolder = coursework_;
+      options.limits.secondsWithoutAnswer = options_.secondsWithoutAnswer;
+      options.onText = options_.onText;
+      worker_ = std::make_unique<WorkerProcess>(std::move(options));
+      worker_->loadScene(emptyRoom());
+    }
+    return *worker_;
+  }
+
+  // The next one begins with a worker that no check before it has touched.
+  void forget() { worker_.reset(); }
+
+ private:
+  std::filesystem::path program_, coursework_;
+  const RunOptions& options_;
+  std::unique_ptr<WorkerProcess> worker_;
+};
+
+Finding runOne(const Check& check, Bench& bench, std::uint64_t seed, stats::ErrorBudget& budget) {
+  try {
+    CheckRun run{bench.worker(), seedOf(check, seed), budget};
+    return check.run(run);
+  } catch (const WorkerError& e) {
+    bench.forget();
+    Finding finding;
+    finding.status = Status::kBroken;
+    finding.got = e.what();
+    return finding;
+  }
+}
+
+class Progress {
+ public:
+  Progress(std::size_t total, const RunEvents& events) : total_(total), events_(events) {}
+
+  void done(const Check& check) {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (events_.onProgress)
+      events_.onProgress(static_cast<double>(done_) / static_cast<double>(total_), idOf(check));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::size_t total_, done_ = 0;
+  const RunEvents& events_;
+};
+
+FunctionResult* functionIn(PartResult& part, CourseworkFunction f) {
+  for (FunctionResult& result : part.functions)
+    if (result.function.function == f) return &result;
+  return nullptr;
+}
+
+// What stands in the way of this check, by the results so far: a function that it needs.
+std::string blockedBy(const Check& check, PartResult& part) {
+  for (const CourseworkFunction f : check.needs) {
+    const FunctionResult* needed = functionIn(part, f);
+    if (needed && needed->status != Status::kPass)
+      return fmt::format("{} {}", needed->function.section, needed->function.name);
+  }
+  return {};
+}
+
+void addResult(FunctionResult& function, CheckResult result) {
+  if (severity(result.finding.status) > severity(function.status))
+    function.status = result.finding.status;
+  function.checks.push_back(std::move(result));
+}
+
+// Functions that the selected checks need are checked too, though nobody asked for them.
+bool isNeeded(const Check& check, std::span<const Check> all, const Selection& selection) {
+  return std::any_of(all.begin(), all.end(), [&](const Check& other) {
+    return selection.selects(other) &&
+           std::find(other.needs.begin(), other.needs.end(), check.function) != other.needs.end();
+  });
+}
+
+void checkFunctions(PartResult& part, Bench& bench, const Selection& selection,
+                    const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
+  const StubReport stubs = makeStubReport(bench.worker().stubs());
+  const std::span<const Check> all = checksOfPart(part.part.part);
+  for (const FunctionContract& f : contract()) {
+    if (f.part != part.part.part) continue;
+    part.functions.push_back(
+        {f, stubs.isUnwritten(f.function) ? Status::kNotWritten : Status::kPass, {}});
+  }
+  for (const Check& check : all) {
+    FunctionResult& function = *functionIn(part, check.function);
+    if (!selection.selects(check) && !isNeeded(check, all, selection)) continue;
+    if (function.status == Status::kNotWritten || function.status == Status::kBroken) {
+      progress.done(check);
+      continue;
+    }
+    CheckResult result{&check, {}, 0.0};
+    const auto started = Clock::now();
+    if (const std::string blocker = blockedBy(check, part); !blocker.empty()) {
+      result.finding.status = Status::kBlocked;
+      result.finding.cause = blocker;
+    } else {
+      result.finding = runOne(check, bench, options.seed, budget);
+    }
+    result.seconds = secondsSince(started);
+    addResult(function, std::move(result));
+    progress.done(check);
+  }
+  std::erase_if(part.functions, [&](const FunctionResult& f) {
+    if (selection.only.empty() || !f.checks.empty()) return false;
+    return !selection.only.starts_with(f.function.section);
+  });
+}
+
+PartResult checkPart(const CourseworkBuild& build, int number, const Selection& selection,
+                     const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
+  const PartBuild& compiled = build.parts.at(static_cast<std::size_t>(number));
+  PartResult part{compiled.part, {}, {}};
+  if (!compiled.compiled) {
+    part.failure = "does not compile:" + compiled.messages;
+    return part;
+  }
+  const LinkedWorker linked = linkWithStandIns(build, std::array{number});
+  if (linked.worker.empty()) {
+    part.failure = "does not link: " + linked.failure;
+    return part;
+  }
+  Bench bench(linked.worker, build.folder, options);
+  try {
+    checkFunctions(part, bench, selection, options, budget, progress);
+  } catch (const WorkerError& e) {
+    part.failure = std::string("cannot be started: ") + e.what();
+  }
+  return part;
+}
+
+// A picture shows all parts at once: it says something only where each of them is right.
+std::string blockingPart(const CourseworkResults& results) {
+  for (const PartResult& part : results.parts) {
+    if (part.part.part == 0) continue;
+    if (!part.failure.empty()) return fmt::format("part {}", part.part.part);
+    for (const FunctionResult& f : part.functions)
+      if (f.status != Status::kPass && f.status != Status::kUndecided)
+        return fmt::format("part {}: {} {}", part.part.part, f.function.section, f.function.name);
+  }
+  return {};
+}
+
+void checkImages(CourseworkResults& results, const CourseworkBuild& build,
+                 const Selection& selection, const RunOptions& options, stats::ErrorBudget& budget,
+                 Progress& progress) {
+  const std::string blocker = blockingPart(results);
+  std::unique_ptr<Bench> bench;
+  std::string failure;
+  if (blocker.empty()) {
+    const LinkedWorker linked = linkWithStandIns(build, std::array{0, 1, 2, 3, 4, 5, 6});
+    failure = linked.failure;
+    if (!linked.worker.empty())
+      bench = std::make_unique<Bench>(linked.worker, build.folder, options);
+  }
+  for (const Check& check : imageChecks()) {
+    if (!selection.selects(check)) continue;
+    CheckResult result{&check, {}, 0.0};
+    const auto started = Clock::now();
+    if (bench) {
+      result.finding = runOne(check, *bench, options.seed, budget);
+    } else if (!blocker.empty()) {
+      result.finding.status = Status::kBlocked;
+      result.finding.cause = blocker;
+    } else {
+      result.finding.status = Status::kBroken;
+      result.finding.got = failure;
+    }
+    result.seconds = secondsSince(started);
+    results.images.push_back(std::move(result));
+    progress.done(check);
+  }
+}
+
+std::size_t countSelected(const Selection& selection) {
+  std::size_t count = 0;
+  for (const int part : selection.parts) {
+    const std::span<const Check> all = checksOfPart(part);
+    for (const Check& check : all)
+      count += selection.selects(check) || isNeeded(check, all, selection) ? 1 : 0;
+  }
+  for (const Check& check : imageChecks()) count += selection.selects(check) ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+bool Selection::selects(const Check& check) const {
+  if (check.whole && !images) return false;
+  if (only.empty()) return true;
+  const std::string id = idOf(check);
+  return id == only || id.starts_with(only + "/");
+}
+
+int severity(Status status) {
+  switch (status) {
+    case Status::kPass:
+      return 0;
+    case Status::kUndecided:
+      return 1;
+    case Status::kBlocked:
+      return 2;
+    case Status::kNotWritten:
+      return 3;
+    case Status::kFail:
+      return 4;
+    case Status::kBroken:
+      break;
+  }
+  return 5;
+}
+
+const FunctionResult* CourseworkResults::find(CourseworkFunction function) const {
+  for (const PartResult& part : parts)
+    for (const FunctionResult& f : part.functions)
+      if (f.function.function == function) return &f;
+  return nullptr;
+}
+
+bool CourseworkResults::anythingWrong() const {
+  const auto wrong = [](Status s) { return s == Status::kFail || s == Status::kBroken; };
+  for (const PartResult& part : parts) {
+    if (!part.failure.empty()) return true;
+    for (const FunctionResult& f : part.functions)
+      if (wrong(f.status)) return true;
+  }
+  return std::any_of(images.begin(), images.end(),
+                     [&](const CheckResult& r) { return wrong(r.finding.status); });
+}
+
+// Several parts at the same time, the longest ones first.
+CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selection,
+                            const RunOptions& options, const RunEvents& events) {
+  const auto started = Clock::now();
+  CourseworkResults results;
+  results.seed = options.seed;
+  results.parts.resize(selection.parts.size());
+  stats::ErrorBudget budget;
+  Progress progress(std::max<std::size_t>(countSelected(selection), 1), events);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = 0; (i = next++) < selection.parts.size();) {
+      const std::size_t place = selection.parts.size() - 1 - i;
+      results.parts[place] =
+          checkPart(build, selection.parts[place], selection, options, budget, progress);
+    }
+  };
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads = options.threads != 0 ? options.threads : processors;
+  std::vector<std::future<void>> others;
+  for (unsigned k = 1; k < threads; ++k) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
+  results.seconds = secondsSince(started);
+  if (events.onFunctions) events.onFunctions(results);
+  if (selection.images) checkImages(results, build, selection, options, budget, progress);
+  results.seconds = secondsSince(started);
+  return results;
+}
+
+}  // namespace pathmark::checks

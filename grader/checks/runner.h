@@ -1,0 +1,43 @@
+// Running the checks of a coursework, each part in a worker of its own with stand-ins for the
+// others.
+//
+//   Selection      which checks to run
+//   runChecks      runs them, several parts at the same time
+#pragma once
+
+#include "checks/results.h"
+#include "host/coursework_builder.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pathmark::checks {
+
+struct Selection {
+  std::vector<int> parts{0, 1, 2, 3, 4, 5, 6};
+  bool images = true;
+  std::string only;  // an id or a section, such as "3.3/samples" or "3.3"; empty: all
+
+  bool selects(const Check& check) const;
+};
+
+struct RunOptions {
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  // 0: one for each processor
+  double secondsWithoutAnswer = 5.0;
+  std::function<void(std::string_view)> onText;  // what the coursework prints
+};
+
+// Called from several threads, but never from two at once.
+struct RunEvents {
+  std::function<void(double fraction, const std::string& id)> onProgress;
+  std::function<void(const CourseworkResults&)> onFunctions;  // before the images
+};
+
+// Throws std::system_error where the machine cannot start a worker.
+CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selection,
+                            const RunOptions& options, const RunEvents& events = {});
+
+}  // namespace pathmark::checks

@@ -1,0 +1,10 @@
+// The grader's commands.
+#pragma once
+
+#include "host/commands.h"
+
+namespace pathmark {
+
+void addCheckCommand(CLI::App& app, CommandAction& action);
+
+}  // namespace pathmark

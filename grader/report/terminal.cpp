@@ -1,0 +1,223 @@
+#include "report/terminal.h"
+
+#include "host/display_path.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace pathmark::report {
+
+namespace {
+
+using checks::CheckResult;
+using checks::CourseworkResults;
+using checks::Finding;
+using checks::FunctionResult;
+using checks::PartResult;
+using checks::Status;
+
+constexpr std::size_t kColumns = 100, kIndent = 15;
+
+struct Word {
+  const char* text;
+  const char* colour;
+};
+
+Word wordOf(Status status) {
+  switch (status) {
+    case Status::kPass:
+      return {"ok", "32"};
+    case Status::kFail:
+      return {"WRONG", "31;1"};
+    case Status::kUndecided:
+      return {"undecided", "33"};
+    case Status::kBroken:
+      return {"BROKEN", "31;1"};
+    case Status::kNotWritten:
+      return {"not written", "2"};
+    case Status::kBlocked:
+      break;
+  }
+  return {"blocked", "2"};
+}
+
+// Padded before it is coloured, so that columns stay in line.
+std::string statusColumn(Status status, const Style& style) {
+  const Word word = wordOf(status);
+  const std::string padded = fmt::format("{:<11}", word.text);
+  return style.colour ? fmt::format("\033[{}m{}\033[0m", word.colour, padded) : padded;
+}
+
+// Broken into lines of kColumns, the following ones indented like the first.
+std::string wrapped(std::string_view words, std::size_t indent) {
+  std::string result;
+  std::size_t column = indent;
+  while (!words.empty()) {
+    const std::size_t space = words.find_first_of(" \n");
+    const std::string_view word = words.substr(0, space);
+    if (column > indent && column + word.size() + 1 > kColumns) {
+      result.append("\n").append(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    if (space == std::string_view::npos) break;
+    if (words[space] == '\n') {
+      result.append("\n").append(indent, ' ');
+      column = indent;
+    }
+    words.remove_prefix(space + 1);
+  }
+  return result;
+}
+
+void addField(std::string& text, std::string_view name, std::string_view value) {
+  if (value.empty()) return;
+  const std::size_t indent = kIndent + 11;
+  text += fmt::format("{:{}}{:<11}{}\n", "", kIndent, name, wrapped(value, indent));
+}
+
+std::string repeatCommand(const CheckResult& result, std::uint64_t seed, const Style& style) {
+  std::string command = fmt::format("./pathmark check {} --seed {}", idOf(*result.check), seed);
+  if (style.with != "student") command += " --with " + style.with;
+  return command;
+}
+
+std::string details(const CheckResult& result, std::uint64_t seed, const Style& style,
+                    const std::string& read) {
+  const Finding& finding = result.finding;
+  std::string text = fmt::format("{:{}}{}\n", "", kIndent,
+                                 wrapped(fmt::format("{}.", result.check->statement), kIndent));
+  addField(text, "where", finding.where);
+  addField(text, "expected", finding.expected);
+  addField(text, finding.status == Status::kBroken ? "broken" : "got", finding.got);
+  addField(text, "tolerance", finding.tolerance);
+  addField(text, "likely", finding.cause);
+  addField(text, "read", read);
+  addField(text, "repeat", repeatCommand(result, seed, style));
+  return text;
+}
+
+std::string partOf(const FunctionContract& f) {
+  return handoutOf(parts()[static_cast<std::size_t>(f.part)]);
+}
+
+// Of the checks of a function the worst tells enough: the others usually follow from it.
+const CheckResult* worstOf(const FunctionResult& f) {
+  const CheckResult* worst = nullptr;
+  for (const CheckResult& r : f.checks)
+    if (!worst || severity(r.finding.status) > severity(worst->finding.status)) worst = &r;
+  return worst;
+}
+
+std::string functionLine(const FunctionResult& f, std::uint64_t seed, const Style& style) {
+  std::string text = fmt::format("  {} {}  {}", statusColumn(f.status, style), f.function.section,
+                                 f.function.name);
+  const CheckResult* worst = worstOf(f);
+  if (!worst || f.status == Status::kPass || f.status == Status::kNotWritten) {
+    text += "\n";
+    for (const CheckResult& r : f.checks)
+      if (!r.finding.remark.empty()) addField(text, "note", r.finding.remark);
+    return text;
+  }
+  if (f.status == Status::kBlocked) return text + fmt::format("  by {}\n", worst->finding.cause);
+  return text + "\n" +
+         details(*worst, seed, style,
+                 fmt::format("{}, section {}", partOf(f.function), f.function.section));
+}
+
+struct Counts {
+  int right = 0, wrong = 0, unwritten = 0, other = 0, all = 0;
+};
+
+Counts count(const CourseworkResults& results) {
+  Counts counts;
+  for (const PartResult& part : results.parts)
+    for (const FunctionResult& f : part.functions) {
+      ++counts.all;
+      if (f.status == Status::kPass)
+        ++counts.right;
+      else if (f.status == Status::kFail || f.status == Status::kBroken)
+        ++counts.wrong;
+      else if (f.status == Status::kNotWritten)
+        ++counts.unwritten;
+      else
+        ++counts.other;
+    }
+  return counts;
+}
+
+// What is wrong comes before what is not there yet.
+std::string next(const CourseworkResults& results, const std::filesystem::path& folder) {
+  const auto place = [&](const FunctionResult& f) {
+    const PartContract& part = parts()[static_cast<std::size_t>(f.function.part)];
+    return fmt::format("{} {} in {}; the chapter is {}.", f.function.section, f.function.name,
+                       displayPath(folder / part.file), handoutOf(part));
+  };
+  for (const PartResult& part : results.parts) {
+    if (!part.failure.empty())
+      return fmt::format("mend {}, which {}", displayPath(folder / part.part.file), part.failure);
+    for (const FunctionResult& f : part.functions)
+      if (f.status == Status::kFail || f.status == Status::kBroken) return fmt::format("mend {}", place(f));
+  }
+  for (const PartResult& part : results.parts)
+    for (const FunctionResult& f : part.functions)
+      if (f.status == Status::kNotWritten) return fmt::format("write {}", place(f));
+  return {};
+}
+
+}  // namespace
+
+std::string handoutOf(const PartContract& part) {
+  const std::string file(part.file);
+  return fmt::format("handouts/{}.md", file.substr(0, file.rfind('.')));
+}
+
+std::string headline(const CourseworkResults& results, const std::filesystem::path& folder,
+                     const Style& style) {
+  const Counts counts = count(results);
+  std::string text = fmt::format("{}: {} of {} functions are right", displayPath(folder),
+                                 counts.right, counts.all);
+  if (counts.wrong > 0) text += fmt::format(", {} wrong", counts.wrong);
+  if (counts.unwritten > 0) text += fmt::format(", {} not written", counts.unwritten);
+  if (counts.other > 0) text += fmt::format(", {} blocked or undecided", counts.other);
+  text += fmt::format(" (seed {}, {:.1f} s).\n", results.seed, results.seconds);
+  const std::string todo = next(results, folder);
+  if (!todo.empty()) text += fmt::format("Next: {}\n", todo);
+  (void)style;
+  return text;
+}
+
+std::string functionLines(const CourseworkResults& results, const Style& style) {
+  std::string text;
+  for (const PartResult& part : results.parts) {
+    text += fmt::format("\nPart {}  {}\n", part.part.part, part.part.title);
+    if (!part.failure.empty())
+      text += fmt::format("  {} {} {}\n", statusColumn(Status::kBroken, style), part.part.file,
+                          part.failure);
+    for (const FunctionResult& f : part.functions) text += functionLine(f, results.seed, style);
+  }
+  return text;
+}
+
+std::string imageLines(const CourseworkResults& results, const Style& style) {
+  if (results.images.empty()) return {};
+  std::string text = "\nPictures\n";
+  for (const CheckResult& r : results.images) {
+    text += fmt::format("  {} {}", statusColumn(r.finding.status, style), r.check->name);
+    if (r.finding.status == Status::kBlocked)
+      text += fmt::format("  by {}\n", r.finding.cause);
+    else if (r.finding.passed())
+      text += fmt::format(": {}\n", r.check->statement);
+    else
+      text.append("\n").append(details(r, results.seed, style, "handouts/README.md"));
+  }
+  return text;
+}
+
+}  // namespace pathmark::report
