@@ -1,5 +1,6 @@
 #include "stats/mean_test.h"
 
+#include "stats/pooled_variance.h"
 #include "stats/quantiles.h"
 
 #include <algorithm>
@@ -44,15 +45,24 @@ Verdict testMean(const RunningMoments& samples, double expected, const MeanTest&
 
 Verdict testMeans(const RunningMoments& a, const RunningMoments& b, const MeanTest& settings) {
   if (a.count() < 2 || b.count() < 2) return {};
-  const double na = static_cast<double>(a.count()), nb = static_cast<double>(b.count());
-  const double va = flooredVariance(a, settings) / na, vb = flooredVariance(b, settings) / nb;
-  const double error = a.mean() - b.mean();
+  const auto estimate = [&](const RunningMoments& samples) {
+    const double n = static_cast<double>(samples.count());
+    return MeanEstimate{samples.mean(), flooredVariance(samples, settings) / n, n - 1.0};
+  };
+  MeanTest floored = settings;
+  floored.deviationFloor = 0.0;
+  return testMeans(estimate(a), estimate(b), floored);
+}
+
+Verdict testMeans(const MeanEstimate& a, const MeanEstimate& b, const MeanTest& settings) {
+  const double error = a.mean - b.mean, floor = settings.deviationFloor * settings.deviationFloor;
+  PooledVariance sum;
+  for (const MeanEstimate& one : {a, b}) {
+    if (!(one.variance >= 0.0) || !std::isfinite(one.variance) || !(one.degrees > 0.0)) return {};
+    sum.add(std::max(one.variance, floor), one.degrees);
+  }
   if (!std::isfinite(error)) return {.statistic = std::numeric_limits<double>::infinity()};
-  const double sum = va + vb;
-  // Without any variance the degrees of freedom are 0/0 and do not matter.
-  const double degrees =
-      sum > 0.0 ? sum * sum / (va * va / (na - 1.0) + vb * vb / (nb - 1.0)) : na + nb - 2.0;
-  return judge(error, std::sqrt(sum), degrees, settings);
+  return judge(error, std::sqrt(sum.variance()), sum.degrees(), settings);
 }
 
 double smallestError(const RunningMoments& samples, const MeanTest& settings, double power) {

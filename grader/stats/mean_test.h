@@ -3,6 +3,7 @@
 //   MeanTest       the settings: false-fail rate, tolerance, floor
 //   testMean       the mean of independent samples against an expected value
 //   testMeans      the means of two independent groups against each other
+//   MeanEstimate   a mean with its variance, where the samples are not at hand
 //   smallestError  the error that testMean finds almost surely
 //
 // Assumption: the samples are independent and equally distributed, and there are enough of them
@@ -17,6 +18,8 @@
 
 #include "stats/moments.h"
 #include "stats/verdict.h"
+
+#include <limits>
 
 namespace pathmark::stats {
 
@@ -37,6 +40,20 @@ Verdict testMean(const RunningMoments& samples, double expected, const MeanTest&
 
 // Welch's t for groups of unequal variance, degrees of freedom by Satterthwaite.
 Verdict testMeans(const RunningMoments& a, const RunningMoments& b, const MeanTest& settings);
+
+// A mean, and the variance of this mean, estimated with so many degrees of freedom (infinitely many
+// where the variance is known). That of a region or a low-frequency mode of an image comes from a
+// PooledVariance over its pixels, each with its weight squared; replicates of a path tracer are
+// skew, for which testRegion (film/region_test.h) lowers the degrees.
+struct MeanEstimate {
+  double mean = 0.0, variance = 0.0;
+  double degrees = std::numeric_limits<double>::infinity();
+};
+
+// The same from estimates. settings.deviationFloor is the least standard error of either mean.
+// Fails where a mean or a variance is not finite, a variance is negative or degrees are not
+// positive.
+Verdict testMeans(const MeanEstimate& a, const MeanEstimate& b, const MeanTest& settings);
 
 // The error of the mean that testMean finds with probability `power`, given samples of this
 // variance and number: critical value plus the power's quantile, in standard errors.

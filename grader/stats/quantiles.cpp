@@ -29,7 +29,7 @@ double studentCritical(double alpha, double degrees) {
 }
 
 double studentTail(double t, double degrees) {
-  if (std::isnan(t)) return 0.0;
+  if (!std::isfinite(t)) return 0.0;
   return 2.0 * upperTail(boost::math::students_t(degrees), std::abs(t));
 }
 

@@ -1,34 +1,25 @@
 #include "stats/replicate_test.h"
 
 #include "stats/quantiles.h"
+#include "stats/skewed_student.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 namespace pathmark::stats {
 
 namespace {
-
-// The critical value over that without skewness, for a = t G / sqrt(n): y = x / t solves
-// y^2 - 2/3 a y^3 = 1, so that w = 1 / y is the largest root of w^3 - w + 2/3 a = 0.
-double widening(double a) {
-  constexpr double kRoot3 = std::numbers::sqrt3;
-  return kRoot3 / (2.0 * std::cos(std::acos(std::max(-kRoot3 * a, -1.0)) / 3.0));
-}
-
-// The t without skewness that is as rare as this one; g = G / sqrt(n).
-double straightened(double t, double g) {
-  const double capped = g > 0.0 ? std::min(t, 1.0 / g) : t;
-  return capped * std::sqrt(1.0 - 2.0 / 3.0 * capped * g);
-}
 
 // Relative entropy of the two-valued distributions with these probabilities.
 double entropy(double p, double q) {
   const auto term = [](double a, double b) { return a > 0.0 ? a * std::log(a / b) : 0.0; };
   return term(p, q) + term(1.0 - p, 1.0 - q);
 }
+
+// Standard errors within which an expected value is known for certain.
+constexpr double kExactly = 8.0;
 
 }  // namespace
 
@@ -44,19 +35,19 @@ void ReplicateTest::add(double replicate) {
   inRange_ = inRange_ && guarantee_.low <= replicate && replicate <= guarantee_.high;
 }
 
-// Hoeffding, "Probability Inequalities for Sums of Bounded Random Variables", JASA 58, 1963,
-// theorem 1: holds for every distribution on [low, high] with this mean.
-bool ReplicateTest::impossible(double alpha) const {
+// P(a mean at least as far out), two-sided, for any distribution on [low, high]: Hoeffding,
+// "Probability Inequalities for Sums of Bounded Random Variables", JASA 58, 1963, theorem 1.
+double ReplicateTest::boundedTail() const {
   const double range = guarantee_.high - guarantee_.low;
-  if (!inRange_ || !std::isfinite(range)) return false;
-  const double mean = replicates_.mean(), uncertain = 8.0 * std::sqrt(expectedVariance_);
-  const double reach = guarantee_.tolerance + uncertain;
+  if (!inRange_ || !std::isfinite(range)) return 1.0;
+  const double reach = guarantee_.tolerance + kExactly * std::sqrt(expectedVariance_);
+  const double mean = replicates_.mean();
   const double nearest = std::clamp(mean, expected_ - reach, expected_ + reach);
-  if (nearest == mean) return false;
+  if (nearest == mean) return 1.0;
   const double p = std::clamp((mean - guarantee_.low) / range, 0.0, 1.0);
   const double q = (nearest - guarantee_.low) / range;
-  if (q <= 0.0 || q >= 1.0) return true;
-  return static_cast<double>(replicates_.count()) * entropy(p, q) > std::log(2.0 / alpha);
+  if (q <= 0.0 || q >= 1.0) return 0.0;
+  return std::min(2.0 * std::exp(-static_cast<double>(replicates_.count()) * entropy(p, q)), 1.0);
 }
 
 Judgement ReplicateTest::judge(int look) const {
@@ -80,31 +71,27 @@ Judgement ReplicateTest::judge(int look) const {
     return std::max(guarantee_.skewness, -side * replicates_.skewness() + std::sqrt(6.0 / n));
   };
 
-  const double alpha = guarantee_.alpha / guarantee_.looks;
-  const double t = studentCritical(0.5 * alpha, degrees);
-  const auto critical = [&](double side) {
-    return t * widening(t * skewness(side) / std::sqrt(n));
-  };
+  const bool bounded = std::isfinite(guarantee_.high - guarantee_.low);
+  const double alpha = guarantee_.alpha / guarantee_.looks, share = bounded ? 0.5 : 1.0;
+  const double t = studentCritical(share * alpha, degrees);
+  const double root = std::sqrt(n);
+  const auto critical = [&](double side) { return t * widening(t * skewness(side) / root); };
   const double side = result.error < 0.0 ? -1.0 : 1.0;
   result.skewness = skewness(side);
   result.critical = critical(side);
   const double excess = std::max(std::abs(result.error) - guarantee_.tolerance, 0.0);
-  if (excess > 0.0) {
-    result.statistic = excess / result.standardError;  // infinite without variance
-    result.pValue =
-        std::isfinite(result.statistic)
-            ? studentTail(straightened(result.statistic, result.skewness / std::sqrt(n)), degrees)
-            : 0.0;
-  }
+  if (excess > 0.0) result.statistic = excess / result.standardError;  // infinite without variance
+
+  if (bounded) result.pValue = boundedTail() / (1.0 - share);
   const double most = std::max(skewness(-1.0), skewness(1.0));
-  const bool trusted = t * most <= kMostSkewness * std::sqrt(n);
-  if (trusted) {
+  if (t * most <= kMostSkewness * root) {
+    const double straight = straightened(result.statistic, result.skewness / root);
+    result.pValue = std::min(result.pValue, studentTail(straight, degrees) / share);
     const double q = studentCritical(2.0 * (1.0 - guarantee_.power) / guarantee_.looks, degrees);
-    result.shown =
-        guarantee_.tolerance + result.standardError * (std::max(critical(-1.0), critical(1.0)) +
-                                                       q * widening(q * most / std::sqrt(n)));
+    const double reach = std::max(critical(-1.0), critical(1.0)) + q * widening(q * most / root);
+    result.shown = guarantee_.tolerance + reach * result.standardError;
   }
-  if ((trusted && result.statistic > result.critical) || impossible(0.5 * alpha))
+  if (result.pValue < alpha)
     result.outcome = Outcome::kFail;
   else if (result.shown <= guarantee_.delta)
     result.outcome = Outcome::kPass;

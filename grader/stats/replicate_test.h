@@ -47,7 +47,7 @@ struct Judgement {
   double shown = std::numeric_limits<double>::infinity();
 
   double statistic = 0.0, critical = 0.0;  // beyond the tolerance, in standard errors
-  double pValue = 1.0;                     // compare it with alpha / looks
+  double pValue = 1.0;                     // a fail is one below alpha / looks
   std::int64_t replicates = 0;
   int look = 0;
 };
@@ -61,21 +61,18 @@ struct Judgement {
 // 1 - power are shared equally among the looks (Bonferroni), so that they hold for all together.
 //
 // Assumption: independent replicates of one distribution, n of them, |skewness| G at most
-// kMostSkewness sqrt(n) / t. Skewness makes Student's t heavy on the side opposite to it: its
-// tail is that of the normal distribution times exp(t^3 G / (3 sqrt(n))) (Jing, Shao & Wang,
-// "Self-normalized Cramer-type large deviations for independent random variables", Annals of
-// Probability 31(4), 2003; to first order in G the Cornish-Fisher term (2 t^2 + 1) G / (6
-// sqrt(n)) of Hall, The Bootstrap and Edgeworth Expansion, 1992, section 2.6). The critical value
-// x therefore solves x^2 / 2 - x^3 G / (3 sqrt(n)) = t^2 / 2, with t that of Student's
-// distribution, and G the sample skewness against the error plus its standard error sqrt(6 / n),
-// at least Guarantee::skewness. Where G is larger than kMostSkewness allows, nothing fails by t.
+// kMostSkewness sqrt(n) / t. The critical value is Student's, widened for the skewness against the
+// error (skewed_student.h): G is that of the sample plus its standard error sqrt(6 / n), at least
+// Guarantee::skewness. Where that is larger than kMostSkewness allows, nothing fails by t.
+//
+// Where low and high are known, half of alpha goes to a bound that holds for every distribution.
 class ReplicateTest {
  public:
   // With fewer, t needs more than 8 standard errors for alpha = 1e-10, and the skewness that
   // decides how far it can be trusted is not known to within 0.3: undecided.
   static constexpr std::int64_t kMinReplicates = 64;
 
-  static constexpr double kMostSkewness = 0.5;  // of t G / sqrt(n); the equation ends at 0.577
+  static constexpr double kMostSkewness = 0.55;  // of t G / sqrt(n); see kEndOfWidening
 
   // expectedStandardError: of the expected value, where that has been measured, with at least as
   // many replicates as are judged here.
@@ -89,7 +86,7 @@ class ReplicateTest {
   const RunningMoments& replicates() const { return replicates_; }
 
  private:
-  bool impossible(double alpha) const;
+  double boundedTail() const;
 
   Guarantee guarantee_;
   double expected_, expectedVariance_;

@@ -1,0 +1,44 @@
+// How efficient is one estimator against another?
+//
+//   Replicates           independent estimates of the same value, and what one of them costs
+//   EfficiencyRatio      of 1 / (variance x cost), with a confidence interval
+//   efficiencyRatio      from the replicates of both
+//   Standing, standing   above a threshold, below it, or not known
+//   BandRange, bandRange the bands of a scale in which the ratio may lie
+#pragma once
+
+#include <span>
+
+namespace pathmark::stats {
+
+struct Replicates {
+  std::span<const double> estimates;
+  double cost = 1.0;  // of one replicate: rays, or seconds
+};
+
+// efficiency(a) / efficiency(b): above 1 where a is better.
+struct EfficiencyRatio {
+  double ratio = 0.0;
+  double low = 0.0, high = 0.0;  // confidence interval
+};
+
+EfficiencyRatio efficiencyRatio(const Replicates& a, const Replicates& b, double confidence = 0.99,
+                                double deviationFloor = 0.0);
+
+enum class Standing { kAbove, kBelow, kOpen };
+
+// kAbove where the whole interval is at or above the threshold.
+Standing standing(const EfficiencyRatio& ratio, double threshold);
+
+// Band k of a scale lies from thresholds[k - 1] to thresholds[k]: 0 is below all of them.
+struct BandRange {
+  int lowest = 0, highest = 0;
+
+  bool decided() const { return lowest == highest; }
+};
+
+// thresholds: ascending. The bands of both ends of the interval; the student gets the highest, or
+// more replicates.
+BandRange bandRange(const EfficiencyRatio& ratio, std::span<const double> thresholds);
+
+}  // namespace pathmark::stats
