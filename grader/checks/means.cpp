@@ -10,14 +10,16 @@ namespace pathmark::checks {
 
 namespace {
 
-stats::Guarantee guaranteeOf(const Mean& mean, int looks) {
+stats::Guarantee guaranteeOf(const Mean& mean, double alpha, int looks) {
   stats::Guarantee guarantee;
-  guarantee.alpha = stats::kStatisticAlpha;
+  guarantee.alpha = alpha;
   guarantee.tolerance = mean.tolerance * mean.scale;
   guarantee.delta = mean.delta * mean.scale;
   guarantee.looks = looks;
-  // A quarter of the tolerance, so that rounding alone is never many standard errors.
-  guarantee.deviationFloor = 0.25 * mean.tolerance * mean.scale;
+  // Quasi-random points may leave a cell's share without any noise in most replicates, and with a
+  // little in some: far too skew for any test, and far too small to matter. With the floor, the
+  // smallest error that is found at the first look is still below delta / 2.
+  guarantee.deviationFloor = 0.5 * mean.delta * mean.scale;
   guarantee.skewness = mean.skewness;
   return guarantee;
 }
@@ -53,8 +55,8 @@ Finding judgeMeans(CheckRun& run, const std::vector<Mean>& means, const Measure&
                    const std::string& where, const std::vector<Suspicion>& suspicions, int looks) {
   std::vector<stats::ReplicateTest> tests;
   for (const Mean& mean : means) {
-    run.budget.take();
-    tests.emplace_back(mean.expected, mean.expectedError, guaranteeOf(mean, looks));
+    const double alpha = run.budget.take();
+    tests.emplace_back(mean.expected, mean.expectedError, guaranteeOf(mean, alpha, looks));
   }
   std::vector<stats::Judgement> judgements(means.size());
   std::size_t worst = 0;

@@ -67,8 +67,11 @@ Judgement ReplicateTest::judge(int look) const {
   const double n = static_cast<double>(result.replicates), degrees = n - 1.0;
   const double deviation = std::max(std::sqrt(replicates_.variance()), guarantee_.deviationFloor);
   result.standardError = std::sqrt(deviation * deviation / n + expectedVariance_);
+  // Of noise below the floor only what is left of its third moment counts.
+  const double noise = std::sqrt(replicates_.variance()) / deviation;
+  const double measured = replicates_.skewness() * noise * noise * noise;
   const auto skewness = [&](double side) {  // of what makes an error of this sign likely
-    return std::max(guarantee_.skewness, -side * replicates_.skewness() + std::sqrt(6.0 / n));
+    return std::max(guarantee_.skewness, -side * measured + std::sqrt(6.0 / n));
   };
 
   const bool bounded = std::isfinite(guarantee_.high - guarantee_.low);
