@@ -219,6 +219,16 @@ void checkImages(CourseworkResults& results, const CourseworkBuild& build,
   }
 }
 
+void addKnown(CourseworkResults& results, const CourseworkResults& known) {
+  for (const PartResult& part : known.parts) {
+    const auto same = [&](const PartResult& p) { return p.part.part == part.part.part; };
+    if (std::none_of(results.parts.begin(), results.parts.end(), same))
+      results.parts.push_back(part);
+  }
+  std::sort(results.parts.begin(), results.parts.end(),
+            [](const PartResult& a, const PartResult& b) { return a.part.part < b.part.part; });
+}
+
 std::size_t countSelected(const Selection& selection) {
   std::size_t count = 0;
   for (const int part : selection.parts) {
@@ -298,6 +308,7 @@ CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selec
   for (unsigned k = 1; k < threads; ++k) others.push_back(std::async(std::launch::async, work));
   work();
   for (std::future<void>& other : others) other.get();
+  if (events.known) addKnown(results, *events.known);
   results.seconds = secondsSince(started);
   if (events.onFunctions) events.onFunctions(results);
   if (selection.images) checkImages(results, build, selection, options, budget, progress);

@@ -32,6 +32,9 @@ struct RunOptions {
 
 // Called from several threads, but never from two at once.
 struct RunEvents {
+  // Results of parts that are not selected this time, which become part of the new ones.
+  const CourseworkResults* known = nullptr;
+
   std::function<void(double fraction, const std::string& id)> onProgress;
   std::function<void(const CourseworkResults&)> onFunctions;  // before the images
 };

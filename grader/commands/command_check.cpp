@@ -1,22 +1,27 @@
 // pathmark check: is the coursework right, and if not, where to look.
-#include "checks/all_checks.h"
-#include "checks/runner.h"
+#include "commands/check_session.h"
 #include "commands/commands.h"
+#include "commands/hints.h"
 #include "commands/progress_line.h"
 #include "commands/selection.h"
 #include "host/exit_code.h"
+#include "host/interrupt.h"
 #include "host/options.h"
 #include "host/session.h"
+#include "report/results_json.h"
 #include "report/terminal.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <unistd.h>
 
@@ -29,6 +34,9 @@ struct CheckArguments {
   std::string with = "student";
   std::uint64_t seed = 1;
   unsigned threads = 0;
+  bool watch = false;
+  int hints = 0;
+  std::string json;
 };
 
 bool showsColour() { return isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr; }
@@ -38,26 +46,63 @@ void print(const std::string& text) {
   std::fflush(stdout);
 }
 
-int checkOnce(const CheckArguments& arguments) {
-  const std::filesystem::path folder = findCoursework(arguments.with);
-  const checks::Selection selection = selectChecks(arguments.what);
+// For the function that is to be mended or written next.
+void printHints(const checks::CourseworkResults& results, int count) {
+  const checks::FunctionResult* next = report::nextFunction(results);
+  if (next == nullptr) return print("\nNo hint is needed: nothing is wrong or missing here.\n");
+  print(fmt::format("\nHints for {} {}:\n", next->function.section, next->function.name));
+  const std::vector<std::string> hints = hintsFor(next->function);
+  const auto shown = std::min(static_cast<std::size_t>(count), hints.size());
+  for (std::size_t k = 0; k < shown; ++k)
+    print(fmt::format("  {}  {}\n", k + 1, report::wrapped(hints[k], 5)));
+  if (shown < hints.size()) print(fmt::format("  (--hint {} says more.)\n", shown + 1));
+}
+
+int checkOnce(CheckSession& session, const CheckArguments& arguments,
+              const std::filesystem::path& folder) {
   const report::Style style{showsColour(), arguments.with};
-  const CourseworkBuild build = buildCoursework(folder, Incomplete::kCompileOnly);
+  ProgressLine progress;
+  checks::RunEvents events;
+  events.onProgress = [&](double fraction, const std::string& id) { progress.show(fraction, id); };
+  events.onFunctions = [&](const checks::CourseworkResults& results) {
+    progress.clear();
+    print(report::headline(results, folder) + report::functionLines(results, style));
+  };
+  const checks::CourseworkResults& results = session.run(events);
+  progress.clear();
+  print(report::imageLines(results, style));
+  if (arguments.hints > 0) printHints(results, arguments.hints);
+  if (!arguments.json.empty()) report::writeJson(results, arguments.json);
+  return results.anythingWrong() ? kCourseworkFault : kSuccess;
+}
+
+// Until Ctrl-C. A save that comes while a check runs is seen when it has ended.
+int watch(CheckSession& session, const CheckArguments& arguments,
+          const std::filesystem::path& folder) {
+  std::string checked;
+  while (!interrupted()) {
+    const std::string now = stampOf(folder);
+    if (now == checked) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      continue;
+    }
+    if (isatty(STDOUT_FILENO) == 1) print("\033[2J\033[3J\033[H");
+    checkOnce(session, arguments, folder);
+    print("\nWatching for changes; Ctrl-C ends.\n");
+    checked = now;
+  }
+  return kSuccess;
+}
+
+int check(const CheckArguments& arguments) {
+  const std::filesystem::path folder = findCoursework(arguments.with);
   checks::RunOptions options;
   options.seed = arguments.seed;
   options.threads = arguments.threads;
   options.onText = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
-  checks::RunEvents events;
-  ProgressLine progress;
-  events.onProgress = [&](double fraction, const std::string& id) { progress.show(fraction, id); };
-  events.onFunctions = [&](const checks::CourseworkResults& results) {
-    progress.clear();
-    print(report::headline(results, folder, style) + report::functionLines(results, style));
-  };
-  const checks::CourseworkResults results = checks::runChecks(build, selection, options, events);
-  progress.clear();
-  print(report::imageLines(results, style));
-  return results.anythingWrong() ? kCourseworkFault : kSuccess;
+  CheckSession session(folder, selectChecks(arguments.what), options);
+  if (arguments.watch) return watch(session, arguments, folder);
+  return checkOnce(session, arguments, folder);
 }
 
 }  // namespace
@@ -82,14 +127,26 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
   takesWholeNumber(command->add_option("--threads", arguments->threads,
                                        "Parts that are checked at the same time"),
                    1, 1024);
+  command->add_flag("--watch", arguments->watch,
+                    "Check again whenever a file is saved, until Ctrl-C");
+  takesWholeNumber(
+      command
+          ->add_option("--hint", arguments->hints,
+                       "Up to three hints for what comes next, each saying more than the last")
+          ->expected(0, 1)
+          ->default_str("1"),
+      1, kMostHints);
+  command->add_option("--json", arguments->json, "Also write all results to this file")
+      ->type_name("FILE");
   command->footer(
       "Examples:\n"
       "  ./pathmark check\n"
       "  ./pathmark check 3\n"
-      "  ./pathmark check lambertianBRDF::reflection --seed 7\n\n"
+      "  ./pathmark check lambertianBRDF::reflection --seed 7\n"
+      "  ./pathmark check --watch\n"
+      "  ./pathmark check 2.4 --hint 2\n\n"
       "Exit code: 0 if nothing is wrong (what is not written is not wrong), 1 if something is.");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return checkOnce(*arguments); }; });
+  command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }
 
 void addGraderCommands(CLI::App& app, CommandAction& action) { addCheckCommand(app, action); }

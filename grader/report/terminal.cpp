@@ -50,32 +50,6 @@ std::string statusColumn(Status status, const Style& style) {
   return style.colour ? fmt::format("\033[{}m{}\033[0m", word.colour, padded) : padded;
 }
 
-// Broken into lines of kColumns, the following ones indented like the first.
-std::string wrapped(std::string_view words, std::size_t indent) {
-  std::string result;
-  std::size_t column = indent;
-  while (!words.empty()) {
-    const std::size_t space = words.find_first_of(" \n");
-    const std::string_view word = words.substr(0, space);
-    if (column > indent && column + word.size() + 1 > kColumns) {
-      result.append("\n").append(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-    column += word.size();
-    if (space == std::string_view::npos) break;
-    if (words[space] == '\n') {
-      result.append("\n").append(indent, ' ');
-      column = indent;
-    }
-    words.remove_prefix(space + 1);
-  }
-  return result;
-}
-
 void addField(std::string& text, std::string_view name, std::string_view value) {
   if (value.empty()) return;
   const std::size_t indent = kIndent + 11;
@@ -152,34 +126,68 @@ Counts count(const CourseworkResults& results) {
   return counts;
 }
 
-// What is wrong comes before what is not there yet.
-std::string next(const CourseworkResults& results, const std::filesystem::path& folder) {
-  const auto place = [&](const FunctionResult& f) {
-    const PartContract& part = parts()[static_cast<std::size_t>(f.function.part)];
-    return fmt::format("{} {} in {}; the chapter is {}.", f.function.section, f.function.name,
-                       displayPath(folder / part.file), handoutOf(part));
-  };
-  for (const PartResult& part : results.parts) {
+std::string place(const FunctionResult& f, const std::filesystem::path& folder) {
+  const PartContract& part = parts()[static_cast<std::size_t>(f.function.part)];
+  return fmt::format("{} {} in {}; the chapter is {}.", f.function.section, f.function.name,
+                     displayPath(folder / part.file), handoutOf(part));
+}
+
+std::string todo(const CourseworkResults& results, const std::filesystem::path& folder) {
+  for (const PartResult& part : results.parts)
     if (!part.failure.empty())
       return fmt::format("mend {}, which {}", displayPath(folder / part.part.file), part.failure);
-    for (const FunctionResult& f : part.functions)
-      if (f.status == Status::kFail || f.status == Status::kBroken) return fmt::format("mend {}", place(f));
-  }
-  for (const PartResult& part : results.parts)
-    for (const FunctionResult& f : part.functions)
-      if (f.status == Status::kNotWritten) return fmt::format("write {}", place(f));
-  return {};
+  const FunctionResult* next = nextFunction(results);
+  if (next == nullptr) return {};
+  return fmt::format("{} {}", next->status == Status::kNotWritten ? "write" : "mend",
+                     place(*next, folder));
 }
 
 }  // namespace
+
+std::string wrapped(std::string_view words, std::size_t indent) {
+  std::string result;
+  std::size_t column = indent;
+  while (!words.empty()) {
+    const std::size_t space = words.find_first_of(" \n");
+    const std::string_view word = words.substr(0, space);
+    if (column > indent && column + word.size() + 1 > kColumns) {
+      result.append("\n").append(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    if (space == std::string_view::npos) break;
+    if (words[space] == '\n') {
+      result.append("\n").append(indent, ' ');
+      column = indent;
+    }
+    words.remove_prefix(space + 1);
+  }
+  return result;
+}
+
+// What is wrong comes before what is not there yet.
+const FunctionResult* nextFunction(const CourseworkResults& results) {
+  const auto first = [&](auto matches) -> const FunctionResult* {
+    for (const PartResult& part : results.parts)
+      for (const FunctionResult& f : part.functions)
+        if (matches(f.status)) return &f;
+    return nullptr;
+  };
+  const FunctionResult* wrong =
+      first([](Status s) { return s == Status::kFail || s == Status::kBroken; });
+  return wrong != nullptr ? wrong : first([](Status s) { return s == Status::kNotWritten; });
+}
 
 std::string handoutOf(const PartContract& part) {
   const std::string file(part.file);
   return fmt::format("handouts/{}.md", file.substr(0, file.rfind('.')));
 }
 
-std::string headline(const CourseworkResults& results, const std::filesystem::path& folder,
-                     const Style& style) {
+std::string headline(const CourseworkResults& results, const std::filesystem::path& folder) {
   const Counts counts = count(results);
   std::string text = fmt::format("{}: {} of {} functions are right", displayPath(folder),
                                  counts.right, counts.all);
@@ -187,9 +195,8 @@ std::string headline(const CourseworkResults& results, const std::filesystem::pa
   if (counts.unwritten > 0) text += fmt::format(", {} not written", counts.unwritten);
   if (counts.other > 0) text += fmt::format(", {} blocked or undecided", counts.other);
   text += fmt::format(" (seed {}, {:.1f} s).\n", results.seed, results.seconds);
-  const std::string todo = next(results, folder);
-  if (!todo.empty()) text += fmt::format("Next: {}\n", todo);
-  (void)style;
+  const std::string next = todo(results, folder);
+  if (!next.empty()) text += fmt::format("Next: {}\n", next);
   return text;
 }
 

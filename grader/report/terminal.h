@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace pathmark::report {
 
@@ -17,10 +18,15 @@ struct Style {
   std::string with;  // the coursework, as the command line names it, for commands that repeat
 };
 
-std::string headline(const checks::CourseworkResults& results, const std::filesystem::path& folder,
-                     const Style& style);
+std::string headline(const checks::CourseworkResults& results, const std::filesystem::path& folder);
 std::string functionLines(const checks::CourseworkResults& results, const Style& style);
 std::string imageLines(const checks::CourseworkResults& results, const Style& style);
+
+// The function that is to be mended, or else written, next; null if there is none.
+const checks::FunctionResult* nextFunction(const checks::CourseworkResults& results);
+
+// Broken into lines that fit a terminal, the following ones indented.
+std::string wrapped(std::string_view words, std::size_t indent);
 
 // "handouts/part3_lambertian.md".
 std::string handoutOf(const PartContract& part);
