@@ -31,6 +31,7 @@ struct CourseworkResults {
   std::vector<PartResult> parts;    // those that were asked for
   std::vector<CheckResult> images;  // of the whole coursework
   double seconds = 0.0;
+  std::int64_t statistics = 0;  // that were judged; each of them could fail by chance
 
   const FunctionResult* find(CourseworkFunction function) const;
   bool anythingWrong() const;  // failed or broken; what is not written is not wrong

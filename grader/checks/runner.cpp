@@ -313,6 +313,7 @@ CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selec
   if (events.onFunctions) events.onFunctions(results);
   if (selection.images) checkImages(results, build, selection, options, budget, progress);
   results.seconds = secondsSince(started);
+  results.statistics = budget.taken();
   return results;
 }
 

@@ -149,6 +149,4 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
   command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }
 
-void addGraderCommands(CLI::App& app, CommandAction& action) { addCheckCommand(app, action); }
-
 }  // namespace pathmark

@@ -7,4 +7,7 @@ namespace pathmark {
 
 void addCheckCommand(CLI::App& app, CommandAction& action);
 
+// Only where the solutions are.
+void addStudyCommand(CLI::App& app, CommandAction& action);
+
 }  // namespace pathmark

@@ -1,0 +1,12 @@
+#include "commands/commands.h"
+
+namespace pathmark {
+
+void addGraderCommands(CLI::App& app, CommandAction& action) {
+  addCheckCommand(app, action);
+#ifdef PATHMARK_STUDY
+  addStudyCommand(app, action);
+#endif
+}
+
+}  // namespace pathmark

@@ -1,0 +1,176 @@
+#include "study/study.h"
+
+#include "checks/all_checks.h"
+#include "host/content_hash.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <system_error>
+
+namespace pathmark::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+// Of the program that is running: another build of it may judge differently.
+const std::string& programHash() {
+  static const std::string hash = [] {
+    std::ifstream in("/proc/self/exe", std::ios::binary);
+    return contentHash(std::string(std::istreambuf_iterator<char>(in), {}));
+  }();
+  return hash;
+}
+
+// What a record depends on besides the seed.
+std::string keyOf(const StudySubject& subject) {
+  std::string text = programHash() + subject.name + (subject.selection.images ? " images" : "");
+  for (const PartBuild& part : subject.build.parts) text += part.object.filename().string();
+  return contentHash(text);
+}
+
+Json toJson(const std::string& key, const StudyRecord& record) {
+  return {{"key", key},
+          {"subject", record.subject},
+          {"seed", record.seed},
+          {"failed", record.failed},
+          {"undecided", record.undecided},
+          {"cause", record.cause},
+          {"statistics", record.statistics},
+          {"seconds", record.seconds}};
+}
+
+void note(const checks::CheckResult& result, StudyRecord& record) {
+  const checks::Status status = result.finding.status;
+  const bool failed = status == checks::Status::kFail || status == checks::Status::kBroken;
+  if (failed && record.failed.empty()) record.cause = result.finding.cause;
+  if (failed) record.failed.push_back(idOf(*result.check));
+  if (status == checks::Status::kUndecided) record.undecided.push_back(idOf(*result.check));
+}
+
+StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
+  checks::RunOptions options;
+  options.seed = seed;
+  options.threads = 1;
+  const checks::CourseworkResults results =
+      checks::runChecks(subject.build, subject.selection, options);
+  StudyRecord record{subject.name, seed, {}, {}, {}, results.statistics, results.seconds};
+  for (const checks::PartResult& part : results.parts) {
+    if (!part.failure.empty()) record.failed.push_back(fmt::format("part {}", part.part.part));
+    for (const checks::FunctionResult& f : part.functions)
+      for (const checks::CheckResult& r : f.checks) note(r, record);
+  }
+  for (const checks::CheckResult& r : results.images) note(r, record);
+  return record;
+}
+
+}  // namespace
+
+StudyLog::StudyLog(fs::path file) : file_(std::move(file)) {
+  fs::create_directories(file_.parent_path());
+  std::ifstream in(file_);
+  for (std::string line; std::getline(in, line);) {
+    // The last line may have been cut off when a study was killed.
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || !json.contains("seconds")) continue;
+    StudyRecord record{json["subject"], json["seed"],       json["failed"], json["undecided"],
+                       json["cause"],   json["statistics"], json["seconds"]};
+    records_[{json["key"], record.seed}] = std::move(record);
+  }
+}
+
+std::optional<StudyRecord> StudyLog::find(const std::string& key, std::uint64_t seed) const {
+  const auto found = records_.find({key, seed});
+  return found == records_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void StudyLog::add(const std::string& key, const StudyRecord& record) {
+  const std::lock_guard lock(mutex_);
+  std::ofstream out(file_, std::ios::app);
+  out << toJson(key, record).dump() << "\n" << std::flush;
+  if (!out)
+    throw std::system_error(errno, std::generic_category(),
+                            fmt::format("writing {}", file_.string()));
+}
+
+StudySubject solutionsSubject(bool images) {
+  StudySubject subject{"solutions", {}, {}, {}};
+  subject.build = buildCoursework(courseworkFolder("solutions"), Incomplete::kCompileOnly);
+  subject.selection.images = images;
+  if (images) subject.selection.parts.clear();
+  return subject;
+}
+
+StudySubject variantSubject(const Variant& variant, bool images, const fs::path& scratch) {
+  StudySubject subject = solutionsSubject(images);
+  const fs::path folder = scratch / variant.name;
+  applyVariant(variant, folder);
+  // Only the part that is changed comes from there; the others keep their objects.
+  const auto part = static_cast<std::size_t>(variant.part);
+  subject.build.parts[part] = buildCoursework(folder, Incomplete::kCompileOnly).parts[part];
+  subject.name = variant.name;
+  subject.variant = variant;
+  subject.selection.parts = {variant.part};
+  return subject;
+}
+
+std::vector<StudyRecord> runStudy(const std::vector<StudySubject>& subjects, int seeds,
+                                  unsigned threads, StudyLog& log,
+                                  const std::function<bool(const StudyProgress&)>& goOn) {
+  struct Job {
+    const StudySubject* subject;
+    std::string key;
+    std::uint64_t seed;
+    std::optional<StudyRecord> record;
+  };
+  std::vector<Job> jobs;
+  for (const StudySubject& subject : subjects) {
+    const std::string key = keyOf(subject);
+    for (int seed = 1; seed <= seeds; ++seed) {
+      const auto number = static_cast<std::uint64_t>(seed);
+      jobs.push_back({&subject, key, number, log.find(key, number)});
+    }
+  }
+  const auto known = static_cast<std::size_t>(
+      std::count_if(jobs.begin(), jobs.end(), [](const Job& j) { return j.record.has_value(); }));
+  std::atomic<std::size_t> next{0}, made{0};
+  std::mutex asking;
+  const auto started = Clock::now();
+  const auto work = [&] {
+    for (std::size_t i = 0; (i = next++) < jobs.size();) {
+      Job& job = jobs[i];
+      if (job.record) continue;
+      {
+        const std::lock_guard lock(asking);
+        const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
+        const auto done = static_cast<double>(made.load());
+        const auto left = static_cast<double>(jobs.size() - known) - done;
+        if (!goOn({known + made, jobs.size(), done > 0.0 ? seconds / done * left : 0.0})) return;
+      }
+      job.record = makeRecord(*job.subject, job.seed);
+      log.add(job.key, *job.record);
+      ++made;
+    }
+  };
+  std::vector<std::future<void>> others;
+  for (unsigned k = 1; k < threads; ++k) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
+  std::vector<StudyRecord> records;
+  for (Job& job : jobs)
+    if (job.record) records.push_back(std::move(*job.record));
+  return records;
+}
+
+}  // namespace pathmark::study

@@ -1,0 +1,19 @@
+// What a study has shown, as tables.
+#pragma once
+
+#include "study/study.h"
+
+#include <string>
+#include <vector>
+
+namespace pathmark::study {
+
+struct StudyReport {
+  std::string text;
+  bool asItMustBe = true;  // what is right always passed, what is wrong was always found
+};
+
+StudyReport reportStudy(const std::vector<StudySubject>& subjects,
+                        const std::vector<StudyRecord>& records);
+
+}  // namespace pathmark::study

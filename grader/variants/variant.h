@@ -1,0 +1,44 @@
+// Variants of the solutions, for testing the grader: what it must find, and what it must accept.
+//
+//   Variant        one patch of grader/variants/wrong or grader/variants/correct
+//   readVariant    what the head of a patch says
+//   allVariants    all of them
+//   applyVariant   the solutions with a variant's change
+//
+// A patch is a unified diff of one file of solutions/, after a head and an empty line:
+//
+//   Mistake: the cosine is part of the BRDF's value
+//   Part: 3
+//   Function: lambertianBRDF::brdf
+//
+// "Different:" stands for "Mistake:" where the change is correct; there is no function to name
+// then.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pathmark {
+
+struct Variant {
+  std::string name;             // of the patch, such as part3_cosine_in_brdf
+  bool wrong = false;           // the grader must find it; else the grader must accept it
+  std::string what;             // the mistake, or what is different
+  int part = 0;                 // whose file is changed
+  std::string function;         // whose check must find the mistake, as in the contract
+  std::filesystem::path patch;  // the file
+};
+
+// Throws std::runtime_error with a sentence if the head is not as it must be.
+Variant readVariant(const std::filesystem::path& patch);
+
+// The wrong ones first, each kind in the order of the names.
+std::vector<Variant> allVariants();
+
+// Copies the coursework files of solutions/ into `folder`, which is made if it is not there, and
+// applies the patch. Throws std::runtime_error if its lines are not found exactly as they are, or
+// std::system_error if the program `patch` cannot be run.
+void applyVariant(const Variant& variant, const std::filesystem::path& folder);
+
+}  // namespace pathmark
