@@ -1,0 +1,215 @@
+// pathmark check as a student uses it: the real program on real coursework.
+#include "support/background_program.h"
+#include "support/run_command.h"
+#include "support/test_coursework_files.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+namespace pathmark::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = PATHMARK_ROOT;
+
+std::string readAll(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A copy of the solutions in which things can be broken.
+class Copy {
+ public:
+  explicit Copy(const fs::path& from = kRoot / "solutions") {
+    for (const auto& entry : fs::directory_iterator(from))
+      if (entry.path().extension() == ".cpp")
+        fs::copy_file(entry.path(), folder_ / entry.path().filename().string());
+  }
+
+  void replace(const std::string& file, const std::string& from, const std::string& to) {
+    std::string text = readAll(folder_ / file);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << file << " has no " << from;
+    std::ofstream(folder_ / file) << text.replace(at, from.size(), to);
+  }
+
+  std::string with() const { return folder_.path().string(); }
+  fs::path file(const std::string& name) const { return folder_ / name; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+ProcessResult check(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {PATHMARK_PROGRAM, "check"});
+  return run(std::move(arguments), kRoot);
+}
+
+void expectHas(const ProcessResult& result, const std::string& words) {
+  EXPECT_NE(result.output.find(words), std::string::npos) << result.output;
+}
+
+void expectLacks(const ProcessResult& result, const std::string& words) {
+  EXPECT_EQ(result.output.find(words), std::string::npos) << result.output;
+}
+
+constexpr const char* kLambertian = "part3_lambertian.cpp";
+
+TEST(CheckCommand, SaysFirstWhatIsRightAndWhatComesNext) {
+  const ProcessResult result = check({"3", "--with", "solutions"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_TRUE(result.output.starts_with("solutions: 3 of 3 functions are right")) << result.output;
+}
+
+TEST(CheckCommand, TakesWhatIsNotWrittenAsNeitherRightNorWrong) {
+  const ProcessResult result = check({"3", "--with", "student"});
+  if (readAll(kRoot / "student" / kLambertian).find("PATHMARK_UNIMPLEMENTED") == std::string::npos)
+    return;
+  EXPECT_EQ(result.exitCode, 0);
+  expectHas(result, "Next: write 3.1 lambertianBRDF::brdf in student/part3_lambertian.cpp");
+  expectHas(result, "not written 3.2  lambertianBRDF::pdf");
+  expectLacks(result, "WRONG");
+}
+
+TEST(CheckCommand, SaysOfAFailureWhereWhatWhyAndHowToRepeatIt) {
+  Copy copy;
+  copy.replace(kLambertian, "Kd * kInvPi", "Kd");
+  const ProcessResult result = check({"3", "--with", copy.with()});
+  EXPECT_EQ(result.exitCode, 1);
+  expectHas(result, "WRONG       3.1  lambertianBRDF::brdf");
+  expectHas(result, "where      wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
+  expectHas(result, "expected   f[0] = 0.286479");
+  expectHas(result, "got        f[0] = 0.9");
+  expectHas(result, "likely     the factor 1/pi is missing");
+  expectHas(result, "read       handouts/part3_lambertian.md, section 3.1");
+  const std::string repeat = "./pathmark check 3.1/value --seed 1 --with " + copy.with();
+  expectHas(result, repeat);
+  const ProcessResult again = check({"3.1/value", "--seed", "1", "--with", copy.with()});
+  EXPECT_EQ(again.exitCode, 1);
+  expectHas(again, "got        f[0] = 0.9");
+}
+
+TEST(CheckCommand, GivesTheSameAnswerForTheSameSeed) {
+  const auto withoutTime = [](const ProcessResult& result) {
+    return std::regex_replace(result.output, std::regex(", [0-9.]+ s\\)"), "");
+  };
+  Copy copy;
+  copy.replace(kLambertian, "std::sqrt(t), onDisc.y", "t, onDisc.y");
+  const std::vector<std::string> command{"3", "--with", copy.with(), "--seed", "7"};
+  std::vector<std::string> oneThread = command;
+  oneThread.insert(oneThread.end(), {"--threads", "1"});
+  const ProcessResult first = check(command);
+  EXPECT_EQ(first.exitCode, 1);
+  EXPECT_EQ(withoutTime(first), withoutTime(check(oneThread)));
+}
+
+TEST(CheckCommand, ChecksTheOtherPartsWhereOneDoesNotCompile) {
+  Copy copy;
+  copy.replace(kLambertian, "Kd * kInvPi", "Kd * kInvTau");
+  const ProcessResult result = check({"--with", copy.with()});
+  EXPECT_EQ(result.exitCode, 1);
+  expectHas(result, "does not compile");
+  expectHas(result, "kInvTau");
+  expectHas(result, "ok          4.1  phongBRDF::brdf");
+  expectHas(result, "blocked");
+}
+
+TEST(CheckCommand, SaysWhereACrashWasAndGoesOn) {
+  Copy copy;
+  copy.replace(kLambertian, "return std::max(dot(wi, n), 0.0f) * kInvPi;",
+               "volatile int* p = nullptr; return static_cast<float>(*p) + dot(wi, n);");
+  const ProcessResult result = check({"3", "--with", copy.with()});
+  EXPECT_EQ(result.exitCode, 1);
+  expectHas(result, "BROKEN      3.2  lambertianBRDF::pdf");
+  expectHas(result, "in lambertianBRDF::pdf:");
+  expectHas(result, "ok          3.1  lambertianBRDF::brdf");
+}
+
+TEST(CheckCommand, EndsALoopThatNeverEnds) {
+  Copy copy;
+  copy.replace(kLambertian, "return std::max(dot(wi, n), 0.0f) * kInvPi;",
+               "for (volatile int k = 0; k >= 0; k = 1) {} return dot(wi, n);");
+  const ProcessResult result = check({"3.2", "--with", copy.with()});
+  EXPECT_EQ(result.exitCode, 1);
+  expectHas(result, "is there a loop that never ends?");
+}
+
+TEST(CheckCommand, FindsNumbersThatAreNotTheArguments) {
+  Copy copy;
+  copy.replace(
+      kLambertian, "std::sqrt(1.0f - t) * onUnitCircle(s)",
+      "std::sqrt(1.0f - t) * onUnitCircle(static_cast<float>(std::rand() % 997) / 997.0f)");
+  copy.replace(kLambertian, "#include <pathmark/coursework.h>",
+               "#include <pathmark/coursework.h>\n#include <cstdlib>");
+  const ProcessResult result = check({"3.3", "--with", copy.with()});
+  EXPECT_EQ(result.exitCode, 1);
+  expectHas(result, "the same direction again for the same s, t, u");
+}
+
+TEST(CheckCommand, RefusesWhatIsNoCheckWithASuggestion) {
+  expectSays(check({"lambertianBRDF::reflexion"}), 2,
+             "Did you mean \"lambertianBRDF::reflection\"?");
+  expectSays(check({"reflection"}), 2, "lambertianBRDF::reflection, phongBRDF::reflection");
+  expectSays(check({"9"}), 2, "it is a part (0 to 6)");
+  expectSays(check({"--seed", "-1"}), 2, "--seed");
+  expectSays(check({"--with", "nowhere"}), 2, "there is no folder");
+  expectSays(check({"--hint", "4"}), 2, "--hint");
+}
+
+TEST(CheckCommand, GivesHintsForWhatComesNext) {
+  Copy copy;
+  copy.replace(kLambertian, "Kd * kInvPi", "Kd");
+  const ProcessResult one = check({"3", "--with", copy.with(), "--hint"});
+  expectHas(one, "Hints for 3.1 lambertianBRDF::brdf:");
+  expectHas(one, "(--hint 2 says more.)");
+  const ProcessResult three = check({"3", "--with", copy.with(), "--hint", "3"});
+  expectHas(three, "  3  ");
+  expectLacks(three, "says more");
+}
+
+TEST(CheckCommand, WritesAllResultsAsJson) {
+  Copy copy;
+  copy.replace(kLambertian, "Kd * kInvPi", "Kd");
+  const fs::path file = copy.file("results.json");
+  check({"3", "--with", copy.with(), "--json", file.string()});
+  const nlohmann::json json = nlohmann::json::parse(readAll(file));
+  const nlohmann::json& function = json["parts"][0]["functions"][0];
+  EXPECT_EQ(function["name"], "lambertianBRDF::brdf");
+  EXPECT_EQ(function["status"], "fail");
+  EXPECT_EQ(function["checks"][0]["cause"], "the factor 1/pi is missing");
+}
+
+TEST(CheckCommand, WatchChecksAgainWhatIsSaved) {
+  Copy copy;
+  const TemporaryFolder logs;
+  const fs::path log = logs / "log.txt";
+  const auto says = [&](const std::string& words, int times) {
+    const std::string text = textOf(log);
+    int found = 0;
+    for (std::size_t at = 0; (at = text.find(words, at)) != std::string::npos; ++at) ++found;
+    return found >= times;
+  };
+  const auto right = [&](int times) {
+    return waitFor([&] { return says("3 of 3 functions are right", times); });
+  };
+  BackgroundProgram program({PATHMARK_PROGRAM, "check", "3", "--with", copy.with(), "--watch"},
+                            kRoot, log);
+  ASSERT_TRUE(right(1)) << textOf(log);
+  copy.replace(kLambertian, "Kd * kInvPi", "Kd");
+  ASSERT_TRUE(waitFor([&] { return says("likely     the factor 1/pi is missing", 1); }));
+  copy.replace(kLambertian, "? Kd :", "? Kd * kInvPi :");
+  ASSERT_TRUE(right(2)) << textOf(log);
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait(), 0);
+}
+
+}  // namespace
+}  // namespace pathmark::test
