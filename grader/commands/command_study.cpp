@@ -33,6 +33,11 @@ struct StudyArguments {
   std::string log = (fs::path(build::kBuildFolder) / "study/records.jsonl").string();
 };
 
+// Errors of half a per cent or one: the smallest that the checks promise to find.
+constexpr const char* kSlight = "slight";
+
+bool isSlight(const Variant& variant) { return variant.name.find("_slight_") != std::string::npos; }
+
 std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
   const auto asked = [&](const std::string& name) {
     return arguments.what.empty() ||
@@ -41,19 +46,22 @@ std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
   const fs::path scratch = fs::path(build::kBuildFolder) / "study/variants";
   std::vector<study::StudySubject> subjects;
   if (asked("solutions")) subjects.push_back(study::solutionsSubject(arguments.images));
-  std::vector<std::string> known{"solutions", "correct", "wrong"};
+  std::vector<std::string> known{"solutions", "correct", "wrong", kSlight};
   for (const Variant& variant : allVariants()) {
     known.push_back(variant.name);
-    if (!asked(variant.wrong ? "wrong" : "correct") && !asked(variant.name)) continue;
+    const bool wanted = asked(variant.wrong ? "wrong" : "correct") || asked(variant.name) ||
+                        (isSlight(variant) && asked(kSlight));
+    if (!wanted) continue;
     if (arguments.images && variant.wrong) continue;
     subjects.push_back(study::variantSubject(variant, arguments.images, scratch));
   }
   for (const std::string& word : arguments.what)
     if (std::find(known.begin(), known.end(), word) == known.end())
-      throw UsageError(fmt::format(
-          "There is no {} to study: it is solutions, correct, wrong, or the name of a patch in "
-          "grader/variants/ without .patch.",
-          word));
+      throw UsageError(
+          fmt::format("There is no {} to study: it is solutions, correct, wrong, slight, or the "
+                      "name of a patch in "
+                      "grader/variants/ without .patch.",
+                      word));
   return subjects;
 }
 
@@ -89,7 +97,8 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
       "study", "Try the checks on what is known to be right or wrong, under many seeds");
   command
       ->add_option("what", arguments->what,
-                   "solutions, correct, wrong, or names of variants; all by default")
+                   "solutions, correct, wrong, slight (errors of 1 % and less), or names of "
+                   "variants; all by default")
       ->type_name("SUBJECT");
   takesWholeNumber(command->add_option("--seeds", arguments->seeds, "Seeds for each (20)"), 1,
                    1000000);
@@ -106,7 +115,8 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark study                             (20 seeds of everything)\n"
       "  ./pathmark study solutions --seeds 1000      (go on with Ctrl-C and the same command)\n"
       "  ./pathmark study solutions --images --seeds 200\n"
-      "  ./pathmark study wrong --seeds 1\n\n"
+      "  ./pathmark study wrong --seeds 1\n"
+      "  ./pathmark study slight --seeds 1000         (how often errors of 1 % are found)\n\n"
       "Exit code: 0 if all that is right passed and all that is wrong was found, 1 if not, 130 if "
       "interrupted.");
   command->callback(
