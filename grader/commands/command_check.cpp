@@ -35,6 +35,7 @@ struct CheckArguments {
   std::uint64_t seed = 1;
   unsigned threads = 0;
   bool watch = false;
+  bool list = false;
   int hints = 0;
   std::string json;
 };
@@ -95,6 +96,10 @@ int watch(CheckSession& session, const CheckArguments& arguments,
 }
 
 int check(const CheckArguments& arguments) {
+  if (arguments.list) {
+    print(report::listOfChecks(selectChecks(arguments.what)));
+    return kSuccess;
+  }
   const std::filesystem::path folder = findCoursework(arguments.with);
   checks::RunOptions options;
   options.seed = arguments.seed;
@@ -136,6 +141,8 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
           ->expected(0, 1)
           ->default_str("1"),
       1, kMostHints);
+  command->add_flag("--list", arguments->list,
+                    "Only list the checks: what is asked, and the smallest error that is found");
   command->add_option("--json", arguments->json, "Also write all results to this file")
       ->type_name("FILE");
   command->footer(
@@ -144,7 +151,8 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark check 3\n"
       "  ./pathmark check lambertianBRDF::reflection --seed 7\n"
       "  ./pathmark check --watch\n"
-      "  ./pathmark check 2.4 --hint 2\n\n"
+      "  ./pathmark check 2.4 --hint 2\n"
+      "  ./pathmark check --list\n\n"
       "Exit code: 0 if nothing is wrong (what is not written is not wrong), 1 if something is.");
   command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }

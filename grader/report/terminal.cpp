@@ -1,5 +1,6 @@
 #include "report/terminal.h"
 
+#include "checks/all_checks.h"
 #include "host/display_path.h"
 
 #include <fmt/format.h>
@@ -224,6 +225,20 @@ std::string imageLines(const CourseworkResults& results, const Style& style) {
     else
       text.append("\n").append(details(r, results.seed, style, "handouts/README.md"));
   }
+  return text;
+}
+
+std::string listOfChecks(const checks::Selection& selection) {
+  std::string text;
+  const auto add = [&](const checks::Check& check) {
+    if (!selection.selects(check)) return;
+    const std::string finds =
+        check.delta > 0.0 ? fmt::format("finds {:g} %", 100.0 * check.delta) : "exact";
+    text += fmt::format("{:<18} {:<12} {}\n", idOf(check), finds, wrapped(check.statement, 32));
+  };
+  for (const int part : selection.parts)
+    for (const checks::Check& check : checks::checksOfPart(part)) add(check);
+  for (const checks::Check& check : checks::imageChecks()) add(check);
   return text;
 }
 

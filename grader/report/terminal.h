@@ -3,9 +3,11 @@
 //   headline       what is right, and what to do next: the first lines
 //   functionLines  part by part, function by function, with what was found where something is wrong
 //   imageLines     the same of the pictures
+//   listOfChecks   what would be asked
 #pragma once
 
 #include "checks/results.h"
+#include "checks/runner.h"
 
 #include <filesystem>
 #include <string>
@@ -27,6 +29,9 @@ const checks::FunctionResult* nextFunction(const checks::CourseworkResults& resu
 
 // Broken into lines that fit a terminal, the following ones indented.
 std::string wrapped(std::string_view words, std::size_t indent);
+
+// Every check of a selection with its statement and the smallest error that it finds.
+std::string listOfChecks(const checks::Selection& selection);
 
 // "handouts/part3_lambertian.md".
 std::string handoutOf(const PartContract& part);
