@@ -72,6 +72,32 @@ TEST(RayTriangle, AgreesWithDoubleFromBothSides) {
   EXPECT_GT(behindOrigin, 3000);
 }
 
+// Powers of two scale without rounding, so that a small triangle is hit where a large one is: a
+// determinant that is small is no sign of a parallel ray.
+TEST(RayTriangle, IsHitAtEverySizeAlike) {
+  Uniforms random(9);
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Point a = randomPoint(random, 1), b = randomPoint(random, 1), c = randomPoint(random, 1);
+    const Point origin = randomPoint(random, 2);
+    const Ray ray{origin, normalize((a + b + randomPoint(random, 1)) / 3.0f - origin)};
+    float t = -1.0f;
+    const bool hit = ray_triangle_intersection(t, ray, makeTriangle(a, b, c));
+    hits += hit ? 1 : 0;
+    for (const int power : {-20, -10, 10, 20}) {
+      const float size = std::ldexp(1.0f, power);
+      float scaledT = -1.0f;
+      const Triangle scaled = makeTriangle(size * a, size * b, size * c);
+      ASSERT_EQ(ray_triangle_intersection(scaledT, {size * ray.origin, ray.direction}, scaled), hit)
+          << "size " << size;
+      if (hit) {
+        ASSERT_EQ(scaledT, size * t);
+      }
+    }
+  }
+  EXPECT_GT(hits, 100);
+}
+
 TEST(RayTriangle, IsMissedByParallelRays) {
   const Triangle triangle = makeTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   for (const float height : {0.0f, 1.0f, -0.5f}) {

@@ -220,7 +220,7 @@ TEST(RenderPixel, FillsEachStratumEvenly) {
 // Of three rays two, and of eight rays four, are without a stratum.
 TEST(RenderPixel, SendsTheRemainingRaysEvenlyThroughThePixel) {
   constexpr std::size_t kSide = 8;
-  for (const int rays : {3, 8}) {
+  for (const int rays : {3, 7, 8}) {
     stats::WeightedCells cells(kSide * kSide);
     Uniforms random(115);
     for (int pixel = 0; pixel < 10000; ++pixel) {

@@ -58,6 +58,10 @@ Cases allCases() {
   // In the plane z = 2: the corner (1,1) points inwards, and the triangles have unequal areas.
   polygon("concave L", {{0, 0, 2}, {5, 0, 2}, {5, 1, 2}, {1, 1, 2}, {1, 3, 2}, {0, 3, 2}},
           {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {0, 4, 5}});
+  // The same, where triangles from the first vertex to each edge would stick out.
+  polygon("concave L from an arm",
+          {{5, 1, 2}, {1, 1, 2}, {1, 3, 2}, {0, 3, 2}, {0, 0, 2}, {5, 0, 2}},
+          {{4, 5, 1}, {5, 0, 1}, {4, 1, 2}, {4, 2, 3}});
   polygon("concave arrow", {{0, 0, 0}, {2, -1, 0}, {0.5f, 0, 0}, {2, 1, 0}},
           {{0, 1, 2}, {0, 2, 3}});
   polygon("one triangle nearly all", {{0, 0, 0}, {1000, 0, 0}, {1000, 1000, 0}, {999.5f, 1000, 0}},
