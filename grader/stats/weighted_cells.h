@@ -3,6 +3,7 @@
 
 #include "stats/verdict.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,8 +16,10 @@ namespace pathmark::stats {
 // q over the cell whatever valid pdf was used. With the weight 1 this is Pearson's test.
 //
 // Assumptions: independent samples; bounded weights (with q the natural density and pdf a
-// reasonable other one). Small cells are pooled until each expects at least kMinExpected samples,
-// where the chi-square approximation holds as far out as alpha = 1e-7.
+// reasonable other one). Small cells are pooled until each expects at least kMinExpected samples.
+// The false-fail rate for two and three pools of 50, 100 and 1000 samples, by summing over all
+// counts, is at most alpha for alpha from 1e-3 to 3e-13, also where the weights of a cell are 1/2
+// and 3/2 in equal parts.
 class WeightedCells {
  public:
   static constexpr double kMinExpected = 50.0;
@@ -26,10 +29,14 @@ class WeightedCells {
   // A sample without a cell ("no sample", weight 0) is counted by addNone.
   void add(std::size_t cell, double weight = 1.0) {
     ++count_;
+    plain_ = plain_ && std::abs(weight - 1.0) < kRounding;
     sum_[cell] += weight;
     sumOfSquares_[cell] += weight * weight;
   }
-  void addNone() { ++count_; }
+  void addNone() {
+    ++count_;
+    ++none_;
+  }
 
   std::int64_t count() const { return count_; }
 
@@ -38,7 +45,10 @@ class WeightedCells {
   Verdict test(std::span<const double> probabilities, double alpha) const;
 
  private:
-  std::int64_t count_ = 0;
+  static constexpr double kRounding = 1e-4;  // of a weight 1 that is a quotient of floats
+
+  std::int64_t count_ = 0, none_ = 0;
+  bool plain_ = true;  // all weights are 1
   std::vector<double> sum_, sumOfSquares_;
 };
 
