@@ -45,7 +45,7 @@ Verdict WeightedCells::test(std::span<const double> probabilities, double alpha)
   const double n = static_cast<double>(count_);
   Verdict impossible{.statistic = std::numeric_limits<double>::infinity()};
 
-  const CellPools cells(probabilities, kMinExpected / n);
+  const CellPools cells(probabilities, (plain_ ? kMinExpected : kMinExpectedWeight) / n);
   std::vector<Pool> pools(cells.probabilities.size());
   for (std::size_t cell = 0; cell < sum_.size(); ++cell) {
     if (!std::isfinite(sum_[cell])) return impossible;

@@ -16,13 +16,14 @@ namespace pathmark::stats {
 // q over the cell whatever valid pdf was used. With the weight 1 this is Pearson's test.
 //
 // Assumptions: independent samples; bounded weights (with q the natural density and pdf a
-// reasonable other one). Small cells are pooled until each expects at least kMinExpected samples.
-// The false-fail rate for two and three pools of 50, 100 and 1000 samples, by summing over all
-// counts, is at most alpha for alpha from 1e-3 to 3e-13, also where the weights of a cell are 1/2
-// and 3/2 in equal parts.
+// reasonable other one). Small cells are pooled until each expects at least kMinExpected samples,
+// or kMinExpectedWeight of weight where the mean weight of a cell has to be estimated too. The
+// false-fail rate of these smallest pools, summed over all counts, is at most alpha for alpha from
+// 1e-3 to 3e-13: with weights 1, and with the weights 1/2 and 3/2 in equal parts.
 class WeightedCells {
  public:
   static constexpr double kMinExpected = 50.0;
+  static constexpr double kMinExpectedWeight = 200.0;  // where weights differ from 1
 
   explicit WeightedCells(std::size_t cells) : sum_(cells, 0.0), sumOfSquares_(cells, 0.0) {}
 

@@ -90,12 +90,12 @@ double exactRate(int n, double p, double negligible, Fails&& fails) {
 }
 
 TEST(WeightedCells, FailAtMostAtTheDeclaredRateFarOut) {
-  constexpr int kSamples = 1000;
-  constexpr double kP = WeightedCells::kMinExpected / kSamples;
   const auto addMany = [](WeightedCells& cells, int count, std::size_t cell, double weight) {
     for (int i = 0; i < count; ++i) cells.add(cell, weight);
   };
   for (const double alpha : {1e-3, 1e-7, 1e-10, 3e-13}) {
+    constexpr int kSamples = 1000;
+    constexpr double kP = WeightedCells::kMinExpected / kSamples;
     const double three = exactRate(kSamples, kP, 1e-5 * alpha, [&](int first, int second) {
       WeightedCells cells(3);
       addMany(cells, first, 0, 1.0);
@@ -103,12 +103,14 @@ TEST(WeightedCells, FailAtMostAtTheDeclaredRateFarOut) {
       addMany(cells, kSamples - first - second, 2, 1.0);
       return !cells.test(std::vector<double>{kP, kP, 1.0 - 2.0 * kP}, alpha).pass;
     });
-    const double weighted = exactRate(kSamples, kP, 1e-5 * alpha, [&](int first, int second) {
+    constexpr int kWeighted = 2000;
+    constexpr double kHalf = 0.5 * WeightedCells::kMinExpectedWeight / kWeighted;
+    const double weighted = exactRate(kWeighted, kHalf, 1e-5 * alpha, [&](int first, int second) {
       WeightedCells cells(2);
       addMany(cells, first, 0, 0.5);
       addMany(cells, second, 0, 1.5);
-      addMany(cells, kSamples - first - second, 1, 1.0);
-      return !cells.test(std::vector<double>{2.0 * kP, 1.0 - 2.0 * kP}, alpha).pass;
+      addMany(cells, kWeighted - first - second, 1, 1.0);
+      return !cells.test(std::vector<double>{2.0 * kHalf, 1.0 - 2.0 * kHalf}, alpha).pass;
     });
     std::printf("alpha %g: rate / alpha of three cells %.2f, of weighted samples %.2f\n", alpha,
                 three / alpha, weighted / alpha);
