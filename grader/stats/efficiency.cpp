@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace pathmark::stats {
@@ -43,6 +44,9 @@ LogVariance logVariance(std::span<const double> estimates, double confidence, do
 
 EfficiencyRatio efficiencyRatio(const Replicates& a, const Replicates& b, double confidence,
                                 double deviationFloor) {
+  constexpr std::size_t kLeast = 3;  // for the variance without one
+  if (a.estimates.size() < kLeast || b.estimates.size() < kLeast)
+    return {.high = std::numeric_limits<double>::infinity()};
   const LogVariance first = logVariance(a.estimates, confidence, deviationFloor);
   const LogVariance second = logVariance(b.estimates, confidence, deviationFloor);
   const double log = second.value - first.value + std::log(b.cost / a.cost);

@@ -22,6 +22,21 @@ struct EfficiencyRatio {
   double low = 0.0, high = 0.0;  // confidence interval
 };
 
+// Each variance's logarithm with its error by the jackknife (Miller, "Jackknifing Variances",
+// Annals of Mathematical Statistics 39(2), 1968), which sees the kurtosis, unlike the F test.
+// Student's t, widened upwards for skewness (skewed_student.h): the variance of replicates that
+// happen to lack their largest values is estimated too low. Both errors are combined in quadrature
+// side by side.
+//
+// Assumption: independent replicates, 64 or more, with a finite fourth moment. Measured for 64 and
+// 256 replicates against 256, normal, uniform, exponential, lognormal and rarely bright, at
+// confidence 0.99: the truth is above the interval, so that a looks worse than it is, in 0.05% to
+// 0.45% of the cases (0.5% declared), and below it in at most 1% (64 lognormal replicates against
+// normal ones), else 0.45%. Rarer bright values or heavier tails than these make a look better
+// than it is more often.
+//
+// The standard deviation of a replicate is taken to be at least deviationFloor. With fewer than
+// three replicates the interval is infinite.
 EfficiencyRatio efficiencyRatio(const Replicates& a, const Replicates& b, double confidence = 0.99,
                                 double deviationFloor = 0.0);
 

@@ -42,9 +42,9 @@ Verdict testMean(const RunningMoments& samples, double expected, const MeanTest&
 Verdict testMeans(const RunningMoments& a, const RunningMoments& b, const MeanTest& settings);
 
 // A mean, and the variance of this mean, estimated with so many degrees of freedom (infinitely many
-// where the variance is known). That of a region or a low-frequency mode of an image comes from a
-// PooledVariance over its pixels, each with its weight squared; replicates of a path tracer are
-// skew, for which testRegion (film/region_test.h) lowers the degrees.
+// where the variance is known). Of a weighted sum of independent means, such as a pooled tile or a
+// low-frequency mode of an image: PooledVariance, with each weight squared. The weights must
+// not depend on the values. Skew samples call for fewer degrees than their number less one.
 struct MeanEstimate {
   double mean = 0.0, variance = 0.0;
   double degrees = std::numeric_limits<double>::infinity();

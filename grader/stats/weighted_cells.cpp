@@ -22,23 +22,30 @@ double deviance(double count, double expected) {
   return std::max(2.0 * (product - (count - expected)), 0.0);
 }
 
+// Counts are whole numbers, so that the tail of their deviance falls in steps, which exceed that of
+// chi-square by up to this factor. It is taken from alpha.
+constexpr double kSteps = 1.5;
+
+// Probabilities that differ from 1 by less than this add up to 1.
+constexpr double kNegligible = 1e-3;
+
 }  // namespace
 
-// One sample gives the vector w e_c, of covariance C = D - p p' with D = diag(E[w^2 in cell]). By
-// Sherman & Morrison, C^-1 = D^-1 + D^-1 p p' D^-1 / (1 - p' D^-1 p), so that the statistic needs
-// no matrix. With equal weights and probabilities that add up to one, C is singular (the cells
-// always add up to n), the second term falls away and one degree of freedom with it.
+// The sum over the cells of squared errors over variances n p E[w^2] / E[w], with the squares
+// replaced by deviances of counts in units of the cell's mean weight (Bohm & Zech, "Statistics of
+// weighted Poisson events and its applications", NIM A 748, 2014). Both agree where errors are
+// small; far out the tail of a count is that of its deviance (Cramer), while squares take it for
+// normal: at alpha = 1e-10 and 50 expected samples they fail 30 times as often as declared.
 //
-// The squares of D^-1 are replaced by deviances, with counts in units of the cell's mean weight
-// (Bohm & Zech, "Statistics of weighted Poisson events and its applications", NIM A 748, 2014).
-// Both agree where errors are small; far out the tail of a count is that of its deviance (Cramer),
-// while squares take the right tail of a count for normal.
+// Cells of one sum of samples are correlated, so that the statistic is smaller than chi-square
+// with one degree of freedom for each cell. Where all weights are 1, what is in no cell is one
+// more cell, and as all counts add up to n there is one degree less.
 Verdict WeightedCells::test(std::span<const double> probabilities, double alpha) const {
   assert(probabilities.size() == sum_.size());
   const double n = static_cast<double>(count_);
   Verdict impossible{.statistic = std::numeric_limits<double>::infinity()};
 
-  const CellPools cells(probabilities, kMinExpected / n);
+  const CellPools cells(probabilities, (plain_ ? kMinExpected : kMinExpectedWeight) / n);
   std::vector<Pool> pools(cells.probabilities.size());
   for (std::size_t cell = 0; cell < sum_.size(); ++cell) {
     if (!std::isfinite(sum_[cell])) return impossible;
@@ -52,30 +59,24 @@ Verdict WeightedCells::test(std::span<const double> probabilities, double alpha)
   }
   if (!cells.enough) return {};  // too few samples to say anything
 
-  double statistic = 0.0, shift = 0.0, rest = 1.0;
+  double statistic = 0.0, outside = 1.0, degrees = static_cast<double>(pools.size());
   for (std::size_t i = 0; i < pools.size(); ++i) {
     const Pool& pool = pools[i];
-    const double p = cells.probabilities[i], error = pool.sum / n - p;
-    // E[w^2 in cell] under the hypothesis: p times the mean weight, which is estimated.
     const double meanWeight = pool.sum > 0.0 ? pool.sumOfSquares / pool.sum : 1.0;
-    const double variance = p * meanWeight;
-    statistic += deviance(pool.sum / meanWeight, n * p / meanWeight);
-    shift += p * error / variance;
-    rest -= p * p / variance;
+    statistic += deviance(pool.sum / meanWeight, n * cells.probabilities[i] / meanWeight);
+    outside -= cells.probabilities[i];
   }
-  double degrees = static_cast<double>(pools.size());
-  constexpr double kSingular = 1e-3;
-  if (rest > kSingular)
-    statistic += n * shift * shift / rest;
-  else
+  if (plain_ && n * outside >= kMinExpected)
+    statistic += deviance(static_cast<double>(none_), n * outside);
+  else if (plain_ && outside < kNegligible)
     degrees -= 1.0;
   if (degrees < 1.0) return {};
 
   Verdict verdict;
   verdict.statistic = statistic;
   verdict.degrees = degrees;
-  verdict.critical = chiSquareCritical(alpha, degrees);
-  verdict.pValue = chiSquareTail(verdict.statistic, degrees);
+  verdict.critical = chiSquareCritical(alpha / kSteps, degrees);
+  verdict.pValue = std::min(kSteps * chiSquareTail(verdict.statistic, degrees), 1.0);
   verdict.pass = verdict.statistic <= verdict.critical;
   return verdict;
 }

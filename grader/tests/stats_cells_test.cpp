@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -17,6 +18,13 @@ constexpr int kRuns = 10000;
 constexpr double kSigmas = 5.0;
 
 double rateError(double rate) { return kSigmas * std::sqrt(rate * (1 - rate) / kRuns); }
+
+// Of kRuns: at most alpha, and not so much less that the test wastes its samples.
+void expectRate(int failures, double alpha) {
+  const double rate = static_cast<double>(failures) / kRuns;
+  EXPECT_LE(rate, alpha + rateError(alpha));
+  EXPECT_GE(rate, 0.25 * alpha - rateError(alpha));
+}
 
 // Unequal cells of [0,1): squares of equal steps. Their probabilities under q = 1.
 constexpr std::size_t kCells = 12;
@@ -40,7 +48,7 @@ TEST(WeightedCells, FailTrueProbabilitiesAtTheDeclaredRate) {
       for (int i = 0; i < 1000; ++i) cells.add(cellOf(random.nextDouble()));
       failures += cells.test(probabilities, alpha).pass ? 0 : 1;
     }
-    EXPECT_NEAR(static_cast<double>(failures) / kRuns, alpha, rateError(alpha));
+    expectRate(failures, alpha);
   }
 }
 
@@ -60,7 +68,56 @@ TEST(WeightedCells, AcceptSamplesOfAnotherDensityAtTheDeclaredRate) {
     }
     failures += cells.test(probabilities, kAlpha).pass ? 0 : 1;
   }
-  EXPECT_NEAR(static_cast<double>(failures) / kRuns, kAlpha, rateError(kAlpha));
+  expectRate(failures, kAlpha);
+}
+
+// Exactly: n samples are of three kinds, two of them of probability p, and all counts of these
+// that matter are gone through.
+template <typename Fails>
+double exactRate(int n, double p, double negligible, Fails&& fails) {
+  const double expected = n * p;
+  const int most = static_cast<int>(expected + 14.0 * std::sqrt(expected)) + 60;
+  const auto logFactorial = [](int k) { return std::lgamma(k + 1.0); };
+  double rate = 0.0;
+  for (int first = 0; first <= most; ++first)
+    for (int second = 0; second <= most; ++second) {
+      const double log = logFactorial(n) - logFactorial(first) - logFactorial(second) -
+                         logFactorial(n - first - second) + (first + second) * std::log(p) +
+                         (n - first - second) * std::log1p(-2.0 * p);
+      if (log > std::log(negligible) && fails(first, second)) rate += std::exp(log);
+    }
+  return rate;
+}
+
+TEST(WeightedCells, FailAtMostAtTheDeclaredRateFarOut) {
+  const auto addMany = [](WeightedCells& cells, int count, std::size_t cell, double weight) {
+    for (int i = 0; i < count; ++i) cells.add(cell, weight);
+  };
+  for (const double alpha : {1e-3, 1e-7, 1e-10, 3e-13}) {
+    constexpr int kSamples = 1000;
+    constexpr double kP = WeightedCells::kMinExpected / kSamples;
+    const double three = exactRate(kSamples, kP, 1e-5 * alpha, [&](int first, int second) {
+      WeightedCells cells(3);
+      addMany(cells, first, 0, 1.0);
+      addMany(cells, second, 1, 1.0);
+      addMany(cells, kSamples - first - second, 2, 1.0);
+      return !cells.test(std::vector<double>{kP, kP, 1.0 - 2.0 * kP}, alpha).pass;
+    });
+    constexpr int kWeighted = 2000;
+    constexpr double kHalf = 0.5 * WeightedCells::kMinExpectedWeight / kWeighted;
+    const double weighted = exactRate(kWeighted, kHalf, 1e-5 * alpha, [&](int first, int second) {
+      WeightedCells cells(2);
+      addMany(cells, first, 0, 0.5);
+      addMany(cells, second, 0, 1.5);
+      addMany(cells, kWeighted - first - second, 1, 1.0);
+      return !cells.test(std::vector<double>{2.0 * kHalf, 1.0 - 2.0 * kHalf}, alpha).pass;
+    });
+    std::printf("alpha %g: rate / alpha of three cells %.2f, of weighted samples %.2f\n", alpha,
+                three / alpha, weighted / alpha);
+    EXPECT_LE(three, alpha);
+    EXPECT_LE(weighted, alpha);
+    EXPECT_GE(three, 0.2 * alpha);
+  }
 }
 
 TEST(WeightedCells, CountSamplesWithoutACell) {

@@ -1,6 +1,7 @@
 // The tests of means, tested: they fail a true mean as often as they declare, and find a wrong
 // one.
 #include "stats/mean_test.h"
+#include "stats/pooled_variance.h"
 #include "stats/quantiles.h"
 #include "tests/support/uniforms.h"
 
@@ -160,6 +161,50 @@ TEST(TestMeans, TellMeansApartThatDifferByOnePercent) {
   for (int i = 0; i < 400000; ++i) a.add(random.nextDouble());
   for (int i = 0; i < 400000; ++i) b.add(1.01 * random.nextDouble());
   EXPECT_FALSE(testMeans(a, b, {.alpha = 1e-7}).pass);
+}
+
+TEST(TestMeans, OfEstimatesEqualThoseOfTheSamples) {
+  Uniforms random(8);
+  RunningMoments a, b;
+  for (int i = 0; i < 20; ++i) a.add(random.nextNormal());
+  for (int i = 0; i < 50; ++i) b.add(1.0 + 3.0 * random.nextNormal());
+  const Verdict samples = testMeans(a, b, {});
+  const Verdict estimates = testMeans({a.mean(), a.variance() / 20.0, 19.0},
+                                      {b.mean(), b.variance() / 50.0, 49.0}, MeanTest{});
+  EXPECT_NEAR(estimates.statistic, samples.statistic, 1e-12);
+  EXPECT_NEAR(estimates.degrees, samples.degrees, 1e-9);
+  EXPECT_NEAR(estimates.critical, samples.critical, 1e-9);
+}
+
+// A region of 64 pixels, each with the variance of 8 replicates, against a known mean.
+TEST(TestMeans, OfPooledPixelsFailAtTheDeclaredRate) {
+  Uniforms random(9);
+  constexpr double kAlpha = 0.01;
+  constexpr int kPixels = 64, kReplicates = 8;
+  const double rate = measuredRate(kRuns, [&] {
+    PooledVariance pooled;
+    double sum = 0.0;
+    for (int pixel = 0; pixel < kPixels; ++pixel) {
+      RunningMoments replicates;
+      for (int i = 0; i < kReplicates; ++i) replicates.add((1 + pixel % 4) * random.nextNormal());
+      sum += replicates.mean();
+      pooled.add(replicates.variance() / kReplicates, kReplicates - 1.0);
+    }
+    const MeanEstimate region{sum, pooled.variance(), pooled.degrees()};
+    return !testMeans(region, MeanEstimate{}, {.alpha = kAlpha}).pass;
+  });
+  EXPECT_NEAR(rate, kAlpha, rateError(kAlpha, kRuns) + 0.1 * kAlpha);
+}
+
+TEST(TestMeans, OfEstimatesWithoutSenseFail) {
+  const MeanEstimate good{1.0, 0.1, 9.0}, infinite{1.0, HUGE_VAL, 9.0}, negative{1.0, -1.0, 9.0};
+  EXPECT_TRUE(testMeans(good, good, MeanTest{}).pass);
+  EXPECT_FALSE(testMeans(good, infinite, MeanTest{}).pass);
+  EXPECT_FALSE(testMeans(negative, good, MeanTest{}).pass);
+  EXPECT_FALSE(testMeans(good, MeanEstimate{1.0, 0.1, 0.0}, MeanTest{}).pass);
+  EXPECT_TRUE(testMeans(MeanEstimate{1.0}, MeanEstimate{1.0}, MeanTest{}).pass);
+  EXPECT_FALSE(testMeans(MeanEstimate{1.0}, MeanEstimate{1.1}, MeanTest{}).pass);
+  EXPECT_TRUE(testMeans(MeanEstimate{1.0}, MeanEstimate{1.1}, {.deviationFloor = 0.1}).pass);
 }
 
 TEST(Quantiles, EqualTabulatedValues) {
