@@ -26,7 +26,8 @@ std::string sectionOf(const std::string& function) {
   return {};
 }
 
-// Whether one of the failed checks is of the function that has the mistake.
+// Whether one of the failed checks is of the function that has the mistake. Functions of a part may
+// rely on each other, so that another one of the part may be the first to show it.
 bool foundIn(const StudyRecord& record, const std::string& section) {
   return std::any_of(record.failed.begin(), record.failed.end(),
                      [&](const std::string& id) { return id.starts_with(section + "/"); });
@@ -66,16 +67,18 @@ StudyReport reportStudy(const std::vector<StudySubject>& subjects,
     const Summary s = summarise(subject, records);
     if (s.seeds == 0) continue;
     const bool isWrong = subject.variant && subject.variant->wrong;
-    const bool good = isWrong ? s.found == s.seeds : s.failed == 0;
+    const bool good = isWrong ? s.failed == s.seeds : s.failed == 0;
     report.asItMustBe = report.asItMustBe && good;
     (isWrong ? wrong : correct) += 1;
     std::string line = fmt::format("{:<9} {:<44} ", isWrong ? "wrong" : "correct", subject.name);
     if (isWrong)
-      line += fmt::format("found in {} of {} seeds", s.found, s.seeds);
+      line += fmt::format("found in {} of {} seeds", s.failed, s.seeds);
     else
       line += fmt::format("fails in {} of {} seeds", s.failed, s.seeds);
     line += fmt::format("  {:.2f} s", s.seconds / s.seeds);
     if (!s.failedChecks.empty()) line += fmt::format("  {}", listed(s.failedChecks, s.seeds));
+    if (isWrong && s.found < s.seeds)
+      line += fmt::format("  (not in {})", subject.variant->function);
     if (!s.undecidedChecks.empty())
       line += fmt::format("  undecided: {}", listed(s.undecidedChecks, s.seeds));
     if (!subject.variant) line += fmt::format("  {} statistics a seed", s.statistics / s.seeds);
