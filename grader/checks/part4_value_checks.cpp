@@ -83,7 +83,9 @@ class ValueJudge {
            side * ((1.0 - double{material.ks[k]}) / kPiD + specular), 0.5 * expected, kd + specular,
            with(m + 2.0, std::pow(c, m)), with(m + 2.0, m == 0.0 ? 1.0 : power), expected * cosI,
            side * (kd * kPiD + specular), with(m + 2.0, lobes.power(lobes.cosTheta(wi))), side * kd,
-           side * specular});
+           side * specular, cosI > 0.0 ? kd + specular : 0.0,
+           glm::dot(lobes.wo, lobes.n) > 0.0 ? kd + specular : 0.0,
+           with(m + 2.0, c > 0.0 ? std::pow(c, std::floor(m)) : 0.0)});
     }
   }
 
@@ -108,7 +110,10 @@ class ValueJudge {
                "the factor 1/pi of the diffuse term is missing",
                "alpha is measured from n instead of the mirror direction of wo",
                "the specular term is missing",
-               "the diffuse term is missing"};
+               "the diffuse term is missing",
+               "only the side of wi is tested",
+               "only the side of wo is tested",
+               "the exponent is rounded down to an integer"};
 };
 
 }  // namespace

@@ -83,12 +83,11 @@ std::string numberUsedTwice(CheckRun& run, const MixtureCase& c) {
     return true;
   };
   if (unused(1))
-    return "s is not used: if u chooses the lobe and the azimuth too, each lobe gets only a wedge "
-           "of it";
-  if (unused(2)) return "t is not used: another number is used twice";
+    return "s changes nothing: if u chooses the lobe and the azimuth too, each lobe gets only a "
+           "wedge of it";
+  if (unused(2)) return "t changes nothing: the angle to the axis of the lobe needs a number";
   const bool bothLobes = c.material.kd != Colour(0.0f) && c.material.ks != Colour(0.0f);
-  if (bothLobes && unused(3))
-    return "u is not used: the number that chooses the lobe is used again for the direction";
+  if (bothLobes && unused(3)) return "u changes nothing: it is there to choose the lobe";
   return {};
 }
 

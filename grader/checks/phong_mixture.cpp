@@ -111,10 +111,10 @@ std::vector<Mean> meansOf(const Expected& expected, double relative) {
     Mean& mean = means[k];
     mean.what = k < kNames.size() ? kNames[k] : cellName(k - kNames.size());
     mean.expected = expected.mean[k];
-    mean.delta = k == kWeight ? kDeltaOfWeight : k < kMoments ? kDeltaOfMoments : kDeltaOfCells;
+    mean.delta = k == kWeight ? kDeltaOfWeight : k <= kBelow ? kDeltaOfMoments : kDeltaOfCells;
     const double rounding = std::max(relative * expected.size[k] - mean.tolerance, 0.0);
     mean.tolerance += rounding;
-    mean.delta += rounding;
+    mean.delta += 1.5 * rounding;
   }
   return means;
 }
