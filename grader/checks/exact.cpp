@@ -32,8 +32,9 @@ bool Exact::value(std::string_view what, double got, double expected, double all
     Suspect& suspect = suspects_.at(k++);
     const double relative = expected != 0.0 ? allowed / std::abs(expected) : 0.0;
     const double slack = std::max(allowed, relative * std::abs(alternative));
-    if (!(std::abs(got - alternative) <= slack)) suspect.possible = false;
-    if (std::abs(alternative - expected) > 2.0 * slack) suspect.differs = true;
+    const bool bothUndefined = std::isnan(got) && std::isnan(alternative);
+    if (!(std::abs(got - alternative) <= slack) && !bothUndefined) suspect.possible = false;
+    if (!(std::abs(alternative - expected) <= 2.0 * slack)) suspect.differs = true;
   }
   if (right) return true;
   if (!failed_) {

@@ -25,8 +25,8 @@ class Exact {
  public:
   explicit Exact(std::initializer_list<const char*> suspects = {});
 
-  // `allowed` is an absolute error. `alternatives`: the suspects' values, in their order. Returns
-  // whether the value is right.
+  // `allowed` is an absolute error. `alternatives`: the suspects' values, in their order; NaN where
+  // a mistake gives NaN. Returns whether the value is right.
   bool value(std::string_view what, double got, double expected, double allowed, const Where& where,
              std::initializer_list<double> alternatives = {});
 
