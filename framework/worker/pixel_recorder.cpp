@@ -19,11 +19,6 @@ void PixelRecorder::startRay(int m) {
   forgetNumbers();
 }
 
-Colour PixelRecorder::radianceOf(std::uint32_t m) {
-  const auto x = static_cast<float>(m);
-  return {1.0f + x, 1.0f / (1.0f + x), m % 3 == 0 ? 7.0f : 0.0f};
-}
-
 Colour PixelRecorder::trace(const Ray& ray) {
   const std::uint32_t m = counts_.traced++;
   if (rays_.size() < most_)

@@ -44,10 +44,20 @@ double ringEdge(const AxialDensity& q, int ring) {
 std::size_t cellOf(const AxialDensity& q, const glm::dvec3& d) {
   const double ring = (d.y - q.lowest) / (1.0 - q.lowest) * kRings;
   const double turn = std::atan2(d.z, d.x) / (2.0 * kPiD) + 0.5;
-  const auto clamp = [](double x, int n) {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(x), 0, n - 1));
+  const auto clamp = [](double x, int n) {  // what is not a number goes into the first
+    return x > 0.0 ? static_cast<std::size_t>(std::min(x, n - 0.5)) : std::size_t{0};
   };
   return clamp(ring, kRings) * kSectors + clamp(turn * kSectors, kSectors);
+}
+
+void addSample(const AxialDensity& q, const DoubleFrame& frame, const DrawnDirection& sample,
+               double share, std::span<double> sums) {
+  if (sample.pdf == 0.0) return;
+  const glm::dvec3 d = frame.local(glm::dvec3(sample.wi));
+  const double weight = weightOf(q.density(d.y), sample.pdf) * share;
+  const auto g = moments(d);
+  for (std::size_t k = 0; k < kMoments; ++k) sums[k] += weight * g[k];
+  sums[kMoments + cellOf(q, d)] += weight;
 }
 
 std::vector<Mean> expectedMeans(const AxialDensity& q) {
@@ -91,15 +101,9 @@ Finding judgeOwnDensity(CheckRun& run, const Vector& axis, const AxialDensity& q
     calls += draws.size();
     const std::vector<DrawnDirection> drawn = draw(draws);
     std::fill(values.begin(), values.end(), 0.0);
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (drawn[i].pdf == 0.0) continue;
-      const std::span<double> sums = values.subspan(i / pointsPerReplicate * kMeans, kMeans);
-      const glm::dvec3 d = frame.local(glm::dvec3(drawn[i].wi));
-      const double weight = weightOf(q.density(d.y), drawn[i].pdf) / pointsPerReplicate;
-      const auto g = moments(d);
-      for (std::size_t k = 0; k < kMoments; ++k) sums[k] += weight * g[k];
-      sums[kMoments + cellOf(q, d)] += weight;
-    }
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      addSample(q, frame, drawn[i], 1.0 / pointsPerReplicate,
+                values.subspan(i / pointsPerReplicate * kMeans, kMeans));
   };
   Finding finding = judgeMeans(run, expectedMeans(q), measure, where, suspicions);
   finding.calls = calls;
@@ -134,6 +138,21 @@ std::vector<double> axialMoments(const AxialDensity& q,
       result.push_back(mean([](double) { return 1.0; }, ringEdge(q, ring), ringEdge(q, ring + 1)) /
                        kSectors);
   return result;
+}
+
+std::vector<double> momentsOf(const Vector& axis, const AxialDensity& q,
+                              const std::function<DrawnDirection(const DirectionDraw&)>& drawOne) {
+  constexpr std::uint32_t kPoints = 1u << 14;  // the means are exact to about 2e-4
+  const DoubleFrame frame{glm::dvec3(axis)};
+  Points points(0, kPoints);
+  points.start(0);
+  std::vector<double> sums(kMeans, 0.0);
+  for (std::uint32_t m = 0; m < kPoints; ++m) {
+    points.point(m);
+    const vec2 st = points.pair();
+    addSample(q, frame, drawOne({st, points.single()}), 1.0 / kPoints, sums);
+  }
+  return sums;
 }
 
 }  // namespace pathmark::checks

@@ -1,6 +1,7 @@
 // What is asked of every function that draws directions, whatever its density.
 //
-//   judgeOwnDensity   the samples follow the density that they are returned with
+//   judgeOwnDensity           the samples follow the density that they are returned with
+//   axialMoments, momentsOf   what judgeOwnDensity would see of a mistake
 #pragma once
 
 #include "checks/means.h"
@@ -48,5 +49,9 @@ std::vector<double> axialMoments(const AxialDensity& q,
                                  const std::function<double(double cosine)>& actual,
                                  const std::function<double(double cosine)>& claimed,
                                  double lowest);
+
+// Those of a sampler that is given by its code, for suspicions about any other.
+std::vector<double> momentsOf(const Vector& axis, const AxialDensity& q,
+                              const std::function<DrawnDirection(const DirectionDraw&)>& drawOne);
 
 }  // namespace pathmark::checks

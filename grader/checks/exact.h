@@ -30,9 +30,9 @@ class Exact {
   bool value(std::string_view what, double got, double expected, double allowed, const Where& where,
              std::initializer_list<double> alternatives = {});
 
-  // A statement that holds or does not.
+  // A statement that holds or does not. `alternatives`: whether it would hold of the suspects.
   bool holds(bool condition, std::string_view expected, const std::function<std::string()>& got,
-             const Where& where);
+             const Where& where, std::initializer_list<bool> alternatives = {});
 
   // Unit length, to 8 roundings.
   bool unit(std::string_view what, const vec3& direction, const Where& where);

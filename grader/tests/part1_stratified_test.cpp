@@ -1,8 +1,8 @@
 // Part 1: the ray through a stratum of a pixel. What renderPixel does with such rays is tested
 // in part1_probe_test.cpp.
+#include "checks/film_point.h"
 #include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
-#include "tests/support/film_point.h"
 #include "tests/support/test_scene.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,8 @@ namespace pathmark {
 namespace {
 
 using namespace testing;
+using checks::filmPoint;
+using checks::filmTolerance;
 
 std::vector<SimpleCamera> cameras() {
   std::vector<SimpleCamera> result;

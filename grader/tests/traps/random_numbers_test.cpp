@@ -1,6 +1,6 @@
 // Random numbers in float: 32 bits times 2^-32 can round to 1.
+#include "checks/pcg2d.h"
 #include "sampling/pixel_sampler.h"
-#include "tests/support/pcg2d.h"
 #include "tests/traps/trap.h"
 
 #include <pathmark/warmup.h>
@@ -12,6 +12,7 @@ namespace pathmark {
 namespace {
 
 using namespace testing;
+using checks::seedOf;
 
 constexpr float kLargest = 1.0f - 0x1p-24f;
 

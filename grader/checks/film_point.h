@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace pathmark::testing {
+namespace pathmark::checks {
 
 // (x, y) with direction parallel to topLeft + x pixelRight + y pixelDown, in pixels.
 inline glm::dvec2 filmPoint(const SimpleCamera& camera, const Vector& direction) {
@@ -23,4 +23,4 @@ inline double filmTolerance(const SimpleCamera& camera, double x, double y) {
   return 8 * 0x1p-24 * (corner + x * right + y * down) / std::min(right, down);
 }
 
-}  // namespace pathmark::testing
+}  // namespace pathmark::checks

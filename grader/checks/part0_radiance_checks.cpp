@@ -1,0 +1,400 @@
+// What is asked of part 0: one bounce, and the whole path.
+#include "checks/exact.h"
+#include "checks/part0_checks.h"
+#include "checks/radiance_checks.h"
+
+#include <pathmark/warmup.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pathmark::checks {
+
+namespace {
+
+using F = CourseworkFunction;
+
+constexpr double kPiD = std::numbers::pi;
+
+// One after the other until one fails; a later one sees other numbers.
+Finding judgeAll(CheckRun& run, const std::vector<std::function<Finding(CheckRun&)>>& questions) {
+  Finding finding;
+  std::uint64_t calls = 0;
+  for (const auto& judge : questions) {
+    CheckRun own{run.worker, run.seed + calls, run.budget};
+    finding = judge(own);
+    calls += finding.calls;
+    if (!finding.passed()) break;
+  }
+  finding.calls = calls;
+  return finding;
+}
+
+// Finite, at least 0, the same for the same seed, in any order; and the seed moves on.
+Finding radianceIsValid(CheckRun& run, F function) {
+  constexpr std::size_t kSeeds = 200;
+  Random random(run.seed);
+  const EvenRoom room(random, 1.0);
+  std::vector<uvec2> seeds{{0, 0}};
+  while (seeds.size() < kSeeds) seeds.emplace_back(random.bits(), random.bits());
+  Calls calls(function, room.mesh.words());
+  const Vector direction = random.direction();
+  for (std::size_t i = 0; i < 2 * kSeeds; ++i) {
+    const uvec2 seed = seeds[i < kSeeds ? i : 2 * kSeeds - 1 - i];
+    if (function == F::kGetRayRadiance)
+      calls.add(Point(0.0f), direction, seed);
+    else
+      calls.add(room.pointOn(0), 0, seed);
+  }
+  const Results results = calls.run(run.worker);
+  Exact exact;
+  exact.count(results.count());
+  for (std::size_t i = 0; i < kSeeds; ++i) {
+    const uvec2 s = seeds[i];
+    const auto where = [&] {
+      return fmt::format("{}, seed ({:#x}, {:#x})", room.where(), s.x, s.y);
+    };
+    const vec3 l = results.vector(i, 0), again = results.vector(2 * kSeeds - 1 - i, 0);
+    exact.holds(
+        std::isfinite(l.x + l.y + l.z) && std::min({l.x, l.y, l.z}) >= 0.0f,
+        "finite numbers, at least 0", [&] { return "radiance " + text(l); }, where);
+    exact.holds(
+        uvec2(results.word(i, 3), results.word(i, 4)) != s,
+        "another seed after the call than before it",
+        [] {
+          return "the same seed: `seed` is a reference, so that the next path gets other numbers";
+        },
+        where);
+    exact.holds(
+        results.same(i, 2 * kSeeds - 1 - i), "the same radiance again for the same seed",
+        [&] { return fmt::format("{} and then {}", text(l), text(again)); }, where);
+  }
+  return exact.finding();
+}
+
+Finding directIsValid(CheckRun& run) { return radianceIsValid(run, F::kComputeDirectIllumination); }
+Finding pathIsValid(CheckRun& run) { return radianceIsValid(run, F::kGetRayRadiance); }
+
+// What mistakes in the estimate of one bounce give: `own` is emitted, `reflected` is what the
+// bounce adds, and `withoutCosine` what it would add with 2 a Le instead of 2 a Le cos(theta).
+std::vector<SuspectedRadiance> directSuspects(const glm::dvec3& own, const glm::dvec3& reflected,
+                                              const glm::dvec3& withoutCosine) {
+  return {{"what the point itself emits is left out", reflected},
+          {"the reflected light is left out", own},
+          {"the estimate is not divided by the density 1/(2 pi): the factor 2 pi is missing",
+           own + reflected / (2.0 * kPiD)},
+          {"the BRDF is a/pi: its factor 1/pi is missing", own + kPiD * reflected},
+          {"the cosine n . omega is missing", own + withoutCosine},
+          {"the factor 2 is missing", own + 0.5 * reflected}};
+}
+
+Finding oneBounceInEvenRoom(CheckRun& run) {
+  Random random(run.seed);
+  std::vector<std::function<Finding(CheckRun&)>> questions;
+  const glm::dvec3 emitted(EvenRoom::kEmission),
+      reflected = emitted * glm::dvec3(EvenRoom::kColour);
+  const double sizes[4] = {1.0, 1e-2, 1e3, 0.5};
+  for (std::size_t face = 0; face < 4; ++face)
+    questions.emplace_back([&, face](CheckRun& own) {
+      const EvenRoom room(random, sizes[face]);
+      const Point x = room.pointOn(face);
+      const AddCall add = [&](Calls& calls, std::uint32_t, uvec2 seed) {
+        calls.add(x, face, seed);
+      };
+      return judgeRadiance(own,
+                           {F::kComputeDirectIllumination, room.mesh.words(), add,
+                            fmt::format("{}, at {}", room.where(), text(x)), 64},
+                           emitted + reflected,
+                           directSuspects(emitted, reflected, 2.0 * reflected));
+    });
+  return judgeAll(run, questions);
+}
+
+// Places by the axes of a frame, so that no axis of the world is special.
+class Setting {
+ public:
+  Setting(Random& random, double size) : frame_(glm::dvec3(random.direction())), size_(size) {}
+
+  glm::dvec3 at(double x, double y, double z) const {
+    return size_ * (x * frame_.u + y * frame_.n + z * frame_.v);
+  }
+  const glm::dvec3& up() const { return frame_.n; }
+
+  // Its normal is up, or down.
+  Plate plate(const glm::dvec3& corner, const glm::dvec3& v1, const glm::dvec3& v2, bool up) const {
+    const glm::dvec3 n = glm::normalize(glm::cross(v1, v2));
+    return {corner, v1, v2, (glm::dot(n, frame_.n) > 0.0) == up ? n : -n};
+  }
+
+ private:
+  DoubleFrame frame_;
+  double size_;
+};
+
+// A tilted light over a receiver, and in front of a part of the light a plate that does not shine.
+struct LightAndBlocker {
+  Setting setting;
+  glm::dvec3 x;
+  Plate light, blocker;
+  glm::dvec3 colour{0.9, 0.5, 0.2}, emission;  // of the receiver
+  MeshWords mesh;
+
+  LightAndBlocker(Random& random, double size, bool lightUp, const glm::dvec3& emission_)
+      : setting(random, size),
+        x(setting.at(0.05, 0.0, -0.1)),
+        light(setting.plate(setting.at(-2.3, 0.8, -2.2), setting.at(4.8, 0.3, 0.0),
+                            setting.at(0.0, 0.2, 4.5), lightUp)),
+        blocker(setting.plate(setting.at(-0.2, 0.5, -0.25), setting.at(0.3, 0.05, 0.0),
+                              setting.at(0.0, 0.0, 0.35), lightUp)),
+        emission(emission_) {
+    light.emission = {1.0, 2.0, 0.5};
+    light.colour = {0.1, 0.8, 0.6};
+    blocker.colour = glm::dvec3(0.7);
+    mesh.triangle(setting.at(-1, 0, -1), setting.at(0, 0, 1.2), setting.at(1, 0, -1), setting.up(),
+                  Colour(colour), Colour(emission));
+    mesh.plate(lightUp ? light : blocker);
+    mesh.plate(lightUp ? blocker : light);
+  }
+  // Of what the light sends out, with a reflectance of 1.
+  glm::dvec3 received(const BounceFactor& factor) const {
+    return light.emission *
+           (bounce(x, setting.up(), light, factor) - bounce(x, setting.up(), blocker, factor));
+  }
+};
+
+Finding oneBounceFromLight(CheckRun& run) {
+  Random random(run.seed);
+  std::vector<std::function<Finding(CheckRun&)>> questions;
+  for (const bool lightUp : {false, true})
+    questions.emplace_back([&random, lightUp](CheckRun& own) {
+      const LightAndBlocker scene(
+          random, lightUp ? 1.0 : 50.0, lightUp,
+          lightUp ? glm::dvec3(0.3, 0.6, 0.05) : glm::dvec3(0.5, 0.4, 0.04));
+      const glm::dvec3 received = scene.received(diffuseFactor);
+      std::vector<SuspectedRadiance> suspects =
+          directSuspects(scene.emission, scene.colour * received,
+                         scene.colour * scene.received([](double) { return 2.0; }));
+      suspects.push_back(
+          {"the colour of the triangle that is seen is used, not that of the point's "
+           "own triangle",
+           scene.emission + scene.light.colour * received});
+      const Point x(scene.x);
+      const AddCall add = [&](Calls& calls, std::uint32_t, uvec2 seed) { calls.add(x, 0, seed); };
+      return judgeRadiance(
+          own,
+          {F::kComputeDirectIllumination, scene.mesh.words(), add,
+           fmt::format(
+               "a triangle of colour {} and emission {} under a light of emission {}, whose "
+               "normal points {}, a part of it hidden",
+               text(Colour(scene.colour)), text(Colour(scene.emission)),
+               text(Colour(scene.light.emission)),
+               lightUp ? "away: emission is two-sided" : "to the triangle"),
+           1024},
+          scene.emission + scene.colour * received, suspects);
+    });
+  return judgeAll(run, questions);
+}
+
+// Sum of the first `hits` terms, each bounce with the colour times `factor`.
+glm::dvec3 series(int hits, double factor = 1.0) {
+  glm::dvec3 sum(0.0), throughput(1.0);
+  for (int k = 0; k < hits; ++k) {
+    sum += throughput * glm::dvec3(EvenRoom::kEmission);
+    throughput *= factor * glm::dvec3(EvenRoom::kColour);
+  }
+  return sum;
+}
+
+constexpr const char* kOneShort = "the path has one hit too few: MAX_PATH_LENGTH counts hits";
+constexpr const char* kOneLong = "the path has one hit too many: MAX_PATH_LENGTH counts hits";
+constexpr const char* kOneHit = "only the first hit counts";
+constexpr const char* kUpdatedFirst =
+    "the throughput is updated before the emission of the hit is added";
+constexpr const char* kNoTwoPi =
+    "the throughput is not divided by the density 1/(2 pi): the factor 2 pi is missing";
+constexpr const char* kNoPi = "the BRDF is a/pi: its factor 1/pi is missing in the throughput";
+constexpr const char* kNoCosine = "the cosine n . omega is missing in the throughput";
+constexpr const char* kNotUpdated = "the throughput is never updated";
+
+Finding pathInEvenRoom(CheckRun& run) {
+  Random random(run.seed);
+  const EvenRoom room(random, 0.01);
+  Ray ray;
+  const AddCall add = [&](Calls& calls, std::uint32_t m, uvec2 seed) {
+    if (m == 0) ray = {room.inside(random), random.direction()};
+    calls.add(ray, seed);
+  };
+  return judgeRadiance(run,
+                       {F::kGetRayRadiance, room.mesh.words(), add,
+                        room.where() + ", rays from everywhere in it", 512},
+                       series(MAX_PATH_LENGTH),
+                       {{kOneShort, series(MAX_PATH_LENGTH - 1)},
+                        {kOneLong, series(MAX_PATH_LENGTH + 1)},
+                        {kOneHit, series(1)},
+                        {kUpdatedFirst, glm::dvec3(EvenRoom::kColour) * series(MAX_PATH_LENGTH)},
+                        {kNoTwoPi, series(MAX_PATH_LENGTH, 0.5 / kPiD)},
+                        {kNoPi, series(MAX_PATH_LENGTH, kPiD)},
+                        {kNoCosine, series(MAX_PATH_LENGTH, 2.0)},
+                        {kNotUpdated, static_cast<double>(MAX_PATH_LENGTH) * series(1)}});
+}
+
+Finding pathBetweenPlates(CheckRun& run) {
+  Random random(run.seed);
+  const Setting setting(random, 100.0);
+  Plate low = setting.plate(setting.at(-1, 0, -1), setting.at(2, 0, 0), setting.at(0, 0, 2), true);
+  Plate high = setting.plate(setting.at(-1.2, 1.3, -0.9), setting.at(2.3, 0.3, 0.0),
+                             setting.at(0.0, -0.2, 1.9), false);
+  low.colour = {0.6, 0.4, 0.3};
+  low.emission = {0.7, 1.0, 0.6};
+  high.colour = {0.4, 0.7, 0.9};
+  high.emission = {0.9, 0.25, 0.8};
+  MeshWords mesh;
+  mesh.plate(high);
+  mesh.plate(low);
+  const Point origin(setting.at(0.2, 0.6, -0.3));
+  const AddCall add = [&](Calls& calls, std::uint32_t, uvec2 seed) {
+    calls.add(origin, -Vector(setting.up()), seed);
+  };
+  const glm::dvec3 x = setting.at(0.2, 0.0, -0.3);
+  const auto path = [&](int hits, const BounceFactor& factor) {
+    return betweenPlates(x, low, high, hits, factor);
+  };
+  const auto constant = [](double factor) { return [factor](double) { return factor; }; };
+  const int hits = MAX_PATH_LENGTH;
+  std::vector<SuspectedRadiance> suspects{
+      {kOneShort, path(hits - 1, diffuseFactor)},
+      {kOneLong, path(hits + 1, diffuseFactor)},
+      {kOneHit, low.emission},
+      {kNoTwoPi, path(hits, [](double c) { return c / kPiD; })},
+      {kNoPi, path(hits, [](double c) { return 2.0 * kPiD * c; })},
+      {kNoCosine, path(hits, constant(2.0))},
+      {kNoCosine, path(hits, constant(1.0))}};
+  const glm::dvec3 expected = path(hits, diffuseFactor);
+  low.emission *= low.colour;
+  high.emission *= high.colour;
+  suspects.push_back({kUpdatedFirst, path(hits, diffuseFactor)});
+  return judgeRadiance(
+      run,
+      {F::kGetRayRadiance, mesh.words(), add,
+       "a ray that hits one of two plates that face each other, of unequal colours and emissions",
+       1024},
+      expected, suspects);
+}
+
+// Where nothing is left to chance: what is hit reflects nothing, or nothing is hit.
+Finding endsAreExact(CheckRun& run) {
+  Random random(run.seed);
+  const Setting setting(random, 1.0);
+  const auto wall = [&](double height, const glm::dvec3& emission) {
+    Plate p = setting.plate(setting.at(-1, height, -1), setting.at(2, 0, 0), setting.at(0, 0, 2),
+                            random.below(2) == 0);
+    p.emission = emission;
+    return p;
+  };
+  MeshWords mesh;
+  mesh.plate(wall(1.0, {3, 2, 1}));
+  mesh.plate(wall(-1.0, {0.5, 0.25, 4}));
+  mesh.plate(wall(2.0, {7, 7, 7}));
+  struct Input {
+    Ray ray;
+    Colour expected;
+    const char* where;
+  };
+  const Vector up(setting.up());
+  const Vector aside(glm::normalize(setting.at(1, 0, 0.5)));
+  const std::vector<Input> inputs{
+      {{Point(setting.at(0.3, 0, 0.2)), up}, {3, 2, 1}, "a black light is hit"},
+      {{Point(setting.at(0.3, 0, 0.2)), -up}, {0.5f, 0.25f, 4}, "a black light is hit"},
+      {{Point(setting.at(0.3, 5, 0.2)), -up},
+       {7, 7, 7},
+       "the nearest of three black lights is hit"},
+      {{Point(setting.at(0.3, -3, 0.2)), up},
+       {0.5f, 0.25f, 4},
+       "the nearest of three black lights is hit"},
+      {{Point(setting.at(0.3, 0, 0.2)), aside}, Colour(0.0f), "nothing is hit"}};
+  Calls calls(F::kGetRayRadiance, mesh.words());
+  std::vector<uvec2> seeds;
+  for (const Input& in : inputs) {
+    seeds.emplace_back(random.bits(), random.bits());
+    calls.add(in.ray, seeds.back());
+  }
+  const Results results = calls.run(run.worker);
+  Exact exact;
+  exact.count(results.count());
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      exact.value(fmt::format("radiance[{}]", c), results.vector(i, 0)[c],
+                  double{inputs[i].expected[c]}, relativeTolerance() * 7.0,
+                  [&] { return inputs[i].where; });
+  return exact.finding();
+}
+
+// A point that sees nothing but the dark.
+Finding aloneItOnlyEmits(CheckRun& run) {
+  Random random(run.seed);
+  const Setting setting(random, 1.0);
+  const Colour emission(0.5f, 2.0f, 0.0f);
+  MeshWords mesh;
+  mesh.triangle(setting.at(-1, 0, -1), setting.at(0, 0, 1.2), setting.at(1, 0, -1), setting.up(),
+                Colour(0.8f), emission);
+  Calls calls(F::kComputeDirectIllumination, mesh.words());
+  for (int k = 0; k < 64; ++k) {
+    const std::uint32_t x = random.bits();
+    calls.add(Point(setting.at(0.05, 0.0, -0.1)), 0, uvec2(x, random.bits()));
+  }
+  const Results results = calls.run(run.worker);
+  Exact exact;
+  exact.count(results.count());
+  for (std::size_t i = 0; i < results.count(); ++i)
+    for (int c = 0; c < 3; ++c)
+      exact.value(fmt::format("radiance[{}]", c), results.vector(i, 0)[c], double{emission[c]},
+                  relativeTolerance() * 2.0, [&] {
+                    return fmt::format("a single triangle of emission {}: no ray meets anything",
+                                       text(emission));
+                  });
+  return exact.finding();
+}
+
+}  // namespace
+
+std::vector<Check> part0RadianceChecks() {
+  const std::vector<F> needs{F::kRayTriangleIntersection, F::kRayMeshIntersection,
+                             F::kGetRandomNumbers, F::kSampleSphere, F::kSampleHemisphere};
+  return {
+      {"valid", F::kComputeDirectIllumination,
+       "the radiance is finite, at least 0 and the same again for the same seed, and the seed "
+       "moves "
+       "on",
+       0.0, directIsValid, needs},
+      {"alone", F::kComputeDirectIllumination,
+       "a point that sees nothing sends out exactly what it emits", 0.0, aloneItOnlyEmits, needs},
+      {"even-room", F::kComputeDirectIllumination,
+       "in a closed room in which all surfaces are alike the mean radiance is Le (1 + a)", 0.005,
+       oneBounceInEvenRoom, needs},
+      {"light", F::kComputeDirectIllumination,
+       "under a light that is partly hidden the mean radiance is Le(x) + a/pi E, E the irradiance",
+       0.005, oneBounceFromLight, needs},
+      {"valid", F::kGetRayRadiance,
+       "the radiance is finite, at least 0 and the same again for the same seed, and the seed "
+       "moves "
+       "on",
+       0.0, pathIsValid, needs},
+      {"ends", F::kGetRayRadiance,
+       "a ray that meets nothing sees black, and one that meets a light without colour sees "
+       "exactly "
+       "what the light emits",
+       0.0, endsAreExact, needs},
+      {"even-room", F::kGetRayRadiance,
+       "in a closed room in which all surfaces are alike the mean radiance is Le (1 + a + a^2 + "
+       "...), with a term for each of MAX_PATH_LENGTH hits",
+       0.005, pathInEvenRoom, needs},
+      {"plates", F::kGetRayRadiance,
+       "between two unequal plates the mean radiance is that of all paths to and fro", 0.005,
+       pathBetweenPlates, needs},
+  };
+}
+
+}  // namespace pathmark::checks

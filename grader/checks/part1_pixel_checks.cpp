@@ -1,0 +1,385 @@
+// What is asked of part 1: the rays of a pixel, as a tracePath sees them that records them.
+#include "checks/exact.h"
+#include "checks/film_point.h"
+#include "checks/means.h"
+#include "checks/part1_checks.h"
+#include "checks/points.h"
+#include "checks/strata_matching.h"
+#include "worker/pixel_recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pathmark::checks {
+
+namespace {
+
+using F = CourseworkFunction;
+
+constexpr std::array kRayCounts{1, 4, 9, 16, 64, 2, 3, 5, 8, 17, 24, 63, 255, 256, 1000};
+
+int strataPerSide(int rays) {
+  int n = 0;
+  while ((n + 1) * (n + 1) <= rays) ++n;
+  return n;
+}
+
+// A pixel of a camera, and with which random numbers it is asked for.
+struct PixelQuestion {
+  SimpleCamera camera;
+  int i, j, rays;
+  RecordedNumbers numbers = RecordedNumbers::kRandom;
+  float constant = 0.0f;
+  std::uint64_t seed = 0;
+
+  RecordedPixel ask(CheckRun& run) const {
+    RecordPixelRequest request;
+    float* to = request.camera;
+    for (const vec3& v : {camera.eye(), camera.topLeft(), camera.pixelRight(), camera.pixelDown()})
+      for (int c = 0; c < 3; ++c) *to++ = v[c];
+    request.width = camera.width();
+    request.height = camera.height();
+    request.i = i;
+    request.j = j;
+    request.rays = rays;
+    request.numbers = numbers;
+    request.constant = constant;
+    request.seed = seed;
+    return run.worker.recordPixel(request);
+  }
+
+  std::string text() const {
+    const std::string source = numbers == RecordedNumbers::kRandom
+                                   ? std::string("random numbers")
+                                   : fmt::format("all random numbers {:.8g}", constant);
+    return fmt::format("column i = {}, row j = {}, {} {}, {}", i, j, rays,
+                       rays == 1 ? "ray" : "rays", source);
+  }
+
+  // In pixels, from the pixel's top left corner.
+  glm::dvec2 placeOf(const RecordedRay& ray) const {
+    const Vector d(ray.direction[0], ray.direction[1], ray.direction[2]);
+    return filmPoint(camera, d) - glm::dvec2(i, j);
+  }
+  double tolerance() const { return filmTolerance(camera, i + 1, j + 1); }
+};
+
+bool isInPixel(const glm::dvec2& place, double tolerance) {
+  return place.x >= -tolerance && place.y >= -tolerance && place.x <= 1.0 + tolerance &&
+         place.y <= 1.0 + tolerance;
+}
+
+PixelQuestion somePixel(std::size_t camera, int rays, std::uint64_t seed) {
+  return {.camera = filmCameras()[camera], .i = 5, .j = 2, .rays = rays, .seed = seed};
+}
+
+// What is kept between calls (a sum, a generator) shows when other pixels come between.
+Finding pixelsAreRepeatable(CheckRun& run) {
+  std::vector<PixelQuestion> questions;
+  for (std::size_t camera = 0; camera < filmCameras().size(); ++camera)
+    for (const int rays : {1, 4, 17}) questions.push_back(somePixel(camera, rays, run.seed));
+  std::vector<RecordedPixel> first, second;
+  for (const PixelQuestion& q : questions) first.push_back(q.ask(run));
+  for (std::size_t k = questions.size(); k-- > 0;) second.push_back(questions[k].ask(run));
+  std::reverse(second.begin(), second.end());
+  Exact exact;
+  exact.count(first.size() + second.size());
+  for (std::size_t k = 0; k < questions.size(); ++k) {
+    const auto where = [&] { return questions[k].text(); };
+    const RecordedPixel &a = first[k], &b = second[k];
+    const auto colour = [](const RecordedPixel& p) {
+      return text(vec3(p.counts.mean[0], p.counts.mean[1], p.counts.mean[2]));
+    };
+    exact.holds(
+        std::ranges::equal(a.counts.mean, b.counts.mean),
+        "the same colour when the same pixel is asked for again",
+        [&] {
+          return fmt::format(
+              "{} and then {}: something is kept between the calls (a static or "
+              "global variable?)",
+              colour(a), colour(b));
+        },
+        where);
+    const auto sameRay = [](const RecordedRay& x, const RecordedRay& y) {
+      return std::ranges::equal(x.direction, y.direction);
+    };
+    exact.holds(
+        std::ranges::equal(a.rays, b.rays, sameRay),
+        "the same rays when the same pixel is asked for again",
+        [] { return "other rays: random numbers must come from the sampler that is handed over"; },
+        where);
+  }
+  return exact.finding();
+}
+
+// Of rays that are not started as they should be.
+std::string likelyCause(const RecordedPixel& pixel, int rays) {
+  const auto all = [&](const auto& holds) {
+    for (std::size_t m = 0; m < pixel.rays.size(); ++m)
+      if (!holds(pixel.rays[m], static_cast<int>(m))) return false;
+    return !pixel.rays.empty();
+  };
+  const RecordPixelReply& counts = pixel.counts;
+  const int n = strataPerSide(rays);
+  if (counts.traced != static_cast<std::uint32_t>(rays))
+    return counts.traced == static_cast<std::uint32_t>(n * n)
+               ? "the N - n * n remaining rays are missing"
+               : "";
+  if (counts.started == 0) return "startRay is never called";
+  if (all([](const RecordedRay& r, int m) { return r.startRay == m + 1; }))
+    return "the rays are counted from 1; the first one is m = 0";
+  if (rays > 1 && counts.started == 1)
+    return "startRay is called once for the pixel; it belongs before every ray";
+  if (rays > 1 &&
+      all([&](const RecordedRay& r, int) { return r.startRay == pixel.rays[0].startRay; }))
+    return "startRay is called with the same number for every ray, so that all of them get the "
+           "same "
+           "random numbers";
+  if (counts.strayNumbers > 0 && all([](const RecordedRay& r, int) { return r.numbers < 2; }))
+    return "s and t are taken from the sampler before startRay is called for the ray";
+  if (all([](const RecordedRay& r, int) { return r.numbers == 0; }))
+    return "the rays are not jittered";
+  if (all([](const RecordedRay& r, int) { return r.numbers == 1; }))
+    return "one number is used for both s and t";
+  return "";
+}
+
+Finding raysAreStartedInOrder(CheckRun& run) {
+  Exact exact;
+  std::string cause;
+  for (const int rays : kRayCounts) {
+    const PixelQuestion question = somePixel(0, rays, run.seed);
+    const RecordedPixel pixel = question.ask(run);
+    exact.count(1);
+    exact.holds(
+        pixel.counts.traced == static_cast<std::uint32_t>(rays),
+        fmt::format("{} calls of tracePath", rays),
+        [&] { return fmt::format("{} calls of tracePath", pixel.counts.traced); },
+        [&] { return question.text(); });
+    for (std::size_t m = 0; m < pixel.rays.size(); ++m) {
+      const RecordedRay& ray = pixel.rays[m];
+      const auto where = [&] { return fmt::format("{}, ray m = {}", question.text(), m); };
+      exact.holds(
+          ray.startedBefore == m + 1 && ray.startRay == static_cast<int>(m),
+          fmt::format("startRay({}) before the ray, once", m),
+          [&] {
+            return ray.startedBefore == 0
+                       ? std::string("startRay has not been called")
+                       : fmt::format("startRay({}); {} calls of it for {} rays so far",
+                                     ray.startRay, ray.startedBefore, m + 1);
+          },
+          where);
+      exact.holds(
+          ray.numbers >= 2, "two numbers taken from the sampler after startRay, for s and t",
+          [&] { return fmt::format("{} numbers taken", ray.numbers); }, where);
+    }
+    if (exact.failed() && cause.empty()) cause = likelyCause(pixel, rays);
+  }
+  Finding finding = exact.finding();
+  if (!finding.passed()) finding.cause = cause;
+  return finding;
+}
+
+// All numbers alike, at the ends and between them; and random ones.
+std::vector<PixelQuestion> strataQuestions(std::uint64_t seed) {
+  std::vector<PixelQuestion> questions;
+  Random random(seed);
+  for (std::size_t camera = 0; camera < filmCameras().size(); ++camera)
+    for (const int rays : kRayCounts) {
+      PixelQuestion q = somePixel(camera, rays, seed + questions.size());
+      q.i = random.below(q.camera.width());
+      q.j = random.below(q.camera.height());
+      questions.push_back(q);
+      q.numbers = RecordedNumbers::kConstant;
+      for (const double constant : {0.5, random.between(0.01, 0.99), 0.0, 0x1p-24, 1.0 - 0x1p-24}) {
+        q.constant = static_cast<float>(constant);
+        questions.push_back(q);
+      }
+    }
+  return questions;
+}
+
+// Kept is the first pixel that is wrong. Rays of a pixel come from the student's
+// StratifiedRandomRay, which has been found right.
+Finding strataAreHit(CheckRun& run) {
+  Exact exact{"i and j are swapped: i is the column, j is the row"};
+  for (const PixelQuestion& question : strataQuestions(run.seed)) {
+    const RecordedPixel pixel = question.ask(run);
+    exact.count(1);
+    const double tolerance = question.tolerance();
+    const glm::dvec2 swap(question.j - question.i, question.i - question.j);
+    std::vector<glm::dvec2> places;
+    for (const RecordedRay& ray : pixel.rays) {
+      const glm::dvec2 place = places.emplace_back(question.placeOf(ray));
+      const bool inside = isInPixel(place, tolerance);
+      // Under the suspicion it would be inside the pixel in column j and row i.
+      const bool insideSwapped = isInPixel(place - swap, 100.0 * tolerance);
+      exact.holds(
+          inside,
+          fmt::format("a film point of the pixel, {} <= x <= {}, {} <= y <= {}", question.i,
+                      question.i + 1, question.j, question.j + 1),
+          [&] {
+            return fmt::format("x = {:.6g}, y = {:.6g}", place.x + question.i,
+                               place.y + question.j);
+          },
+          [&] { return question.text(); }, {insideSwapped ? inside : !inside});
+    }
+    const bool allInside = std::ranges::all_of(
+        places, [&](const glm::dvec2& place) { return isInPixel(place, tolerance); });
+    if (!allInside) continue;
+    const int n = strataPerSide(question.rays);
+    StrataMatching matching(places, n, tolerance);
+    const auto empty = matching.emptyStratum();
+    exact.holds(
+        !empty, fmt::format("a ray of its own in each of the {0} x {0} strata", n),
+        [&] {
+          return fmt::format("no ray for the stratum k = {}, l = {}",
+                             *empty % static_cast<std::size_t>(n),
+                             *empty / static_cast<std::size_t>(n));
+        },
+        [&] { return question.text(); }, {true});
+  }
+  return exact.finding();
+}
+
+// By the recorder every ray has a radiance of its own.
+Finding meanIsOfAllRays(CheckRun& run) {
+  Exact exact{"the sum is divided by n * n, not by N",
+              "the sum is not divided by the number of rays",
+              "the sum is divided by N + 1",
+              "the last ray is left out",
+              "the first ray is left out",
+              "only the n * n rays of the strata are added",
+              "the radiance of a ray is clamped to 1: what is too bright for the screen is not too "
+              "bright for the mean",
+              "only the last ray counts"};
+  for (const int rays : kRayCounts) {
+    const PixelQuestion question = somePixel(0, rays, run.seed);
+    const RecordedPixel pixel = question.ask(run);
+    exact.count(1);
+    const int strata = strataPerSide(rays) * strataPerSide(rays);
+    glm::dvec3 sum(0.0), ofStrata(0.0), clamped(0.0);
+    for (int m = 0; m < rays; ++m) {
+      const glm::dvec3 radiance(PixelRecorder::radianceOf(static_cast<std::uint32_t>(m)));
+      sum += radiance;
+      if (m < strata) ofStrata += radiance;
+      clamped += glm::min(radiance, 1.0);
+    }
+    const glm::dvec3 first(PixelRecorder::radianceOf(0)),
+        last(PixelRecorder::radianceOf(static_cast<std::uint32_t>(rays - 1)));
+    for (int c = 0; c < 3; ++c) {
+      const double n = rays, mean = sum[c] / n;
+      exact.value(fmt::format("mean[{}]", c), pixel.counts.mean[c], mean,
+                  relativeTolerance() * mean,
+                  [&] {
+                    return fmt::format("{}, whose radiances are {}, {}, ...", question.text(),
+                                       text(PixelRecorder::radianceOf(0)),
+                                       text(PixelRecorder::radianceOf(1)));
+                  },
+                  {sum[c] / strata, sum[c], sum[c] / (n + 1.0), (sum[c] - last[c]) / n,
+                   (sum[c] - first[c]) / n, ofStrata[c] / n, clamped[c] / n, last[c]});
+    }
+  }
+  return exact.finding();
+}
+
+// Places within the strata, and within the pixel: both are uniform, for rays of the strata and for
+// the remaining ones alike.
+Finding raysAreSpreadEvenly(CheckRun& run) {
+  constexpr int kRays = 255, kStrata = 15, kPixels = 2, kSide = 4;
+  const auto momentsOf = [](const glm::dvec2& p) {
+    return std::array{p.x, p.y, p.x * p.x, p.y * p.y, p.x * p.y};
+  };
+  std::vector<Mean> means;
+  for (const char* of : {"stratum, of 1", "pixel, of 1"}) {
+    const double expected[] = {0.5, 0.5, 1.0 / 3.0, 1.0 / 3.0, 0.25};
+    const char* const names[] = {"x", "y", "x^2", "y^2", "x y"};
+    for (std::size_t k = 0; k < 5; ++k)
+      means.push_back(
+          {fmt::format("mean of {} (from the corner of its {})", names[k], of), expected[k]});
+  }
+  const std::size_t cells = means.size();
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column)
+      means.push_back(
+          {fmt::format("share of the rays in column {}, row {} of {} x {} cells of their "
+                       "stratum",
+                       column, row, kSide, kSide),
+           1.0 / (kSide * kSide)});
+  std::uint64_t calls = 0;
+  const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
+    for (std::uint32_t r = 0; r < count; ++r) {
+      const std::span<double> sums = values.subspan(r * means.size(), means.size());
+      std::ranges::fill(sums, 0.0);
+      for (int pixel = 0; pixel < kPixels; ++pixel) {
+        const PixelQuestion question = somePixel(
+            1, kRays,
+            run.seed + std::uint64_t{first + r} * kPixels + static_cast<std::uint64_t>(pixel));
+        const RecordedPixel recorded = question.ask(run);
+        ++calls;
+        const double share = 1.0 / (kPixels * std::max<double>(1.0, double(recorded.rays.size())));
+        for (const RecordedRay& ray : recorded.rays) {
+          const glm::dvec2 place = question.placeOf(ray);
+          if (!isInPixel(place, question.tolerance())) continue;
+          const glm::dvec2 inPixel = glm::clamp(place, 0.0, 1.0),
+                           inStratum = glm::fract(inPixel * double{kStrata});
+          for (std::size_t k = 0; k < 5; ++k) {
+            sums[k] += share * momentsOf(inStratum)[k];
+            sums[5 + k] += share * momentsOf(inPixel)[k];
+          }
+          const glm::dvec2 cell = glm::floor(inStratum * double{kSide});
+          sums[cells + static_cast<std::size_t>(cell.y * kSide + cell.x)] += share;
+        }
+      }
+    }
+  };
+  Finding finding = judgeMeans(
+      run, means, measure, fmt::format("{} rays, {} of them in strata", kRays, kStrata * kStrata));
+  finding.calls = calls;
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Check> part1PixelChecks() {
+  return {
+      {"again",
+       F::kRenderPixel,
+       "the same pixel with the same random numbers has the same colour",
+       0.0,
+       pixelsAreRepeatable,
+       {F::kStratifiedRandomRay}},
+      {"rays",
+       F::kRenderPixel,
+       "exactly N rays are traced, with startRay(m) before the m-th, m = 0 to N - 1, and two "
+       "random "
+       "numbers taken after it",
+       0.0,
+       raysAreStartedInOrder,
+       {F::kStratifiedRandomRay}},
+      {"strata",
+       F::kRenderPixel,
+       "each of the n x n strata, n * n <= N, gets a ray of its own, and all rays go through the "
+       "pixel",
+       0.0,
+       strataAreHit,
+       {F::kStratifiedRandomRay}},
+      {"mean",
+       F::kRenderPixel,
+       "the colour is the mean of the radiance of all N rays",
+       0.0,
+       meanIsOfAllRays,
+       {F::kStratifiedRandomRay}},
+      {"even",
+       F::kRenderPixel,
+       "rays are uniform within their strata, and those that remain within the pixel",
+       0.01,
+       raysAreSpreadEvenly,
+       {F::kStratifiedRandomRay}},
+  };
+}
+
+}  // namespace pathmark::checks
