@@ -1,9 +1,9 @@
 // Part 0: random numbers, uniform directions, and the path through a mesh.
+#include "checks/irradiance.h"
 #include "checks/pcg2d.h"
 #include "tests/support/direction_cells.h"
 #include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
-#include "tests/support/irradiance.h"
 #include "tests/support/reference_tracer.h"
 #include "tests/support/test_scene.h"
 
@@ -13,6 +13,7 @@ namespace pathmark {
 namespace {
 
 using namespace testing;
+using checks::polygonIrradiance;
 using checks::seedOf;
 
 TEST(RandomNumbers, FollowThePublishedHash) {

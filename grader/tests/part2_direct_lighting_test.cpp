@@ -1,8 +1,8 @@
 // Part 2: direct light, against closed forms of the irradiance.
+#include "checks/irradiance.h"
 #include "sampling/pcg_sampler.h"
 #include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
-#include "tests/support/irradiance.h"
 #include "tests/support/test_scene.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@ namespace pathmark {
 namespace {
 
 using namespace testing;
+using checks::polygonIrradiance, checks::sphereIrradiance;
 
 const Colour kEmission(3.0f, 2.0f, 0.5f), kKd(0.9f, 0.5f, 0.2f);
 const lambertianBRDF kReceiver(kKd);

@@ -1,7 +1,7 @@
 // Part 2: points on a sphere that is a light.
+#include "checks/sphere_oracle.h"
 #include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
-#include "tests/support/oracle_sphere.h"
 #include "tests/support/quadrature.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@ namespace pathmark {
 namespace {
 
 using namespace testing;
+using checks::SphereOracle;
 
 // Radius over distance, from a sphere like a point to one that fills half of what is seen.
 constexpr std::array kRatios{1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 0.9, 0.99, 1 - 1e-3, 1 - 1e-4};

@@ -1,7 +1,7 @@
 // A sphere as a light: small, far, at its limb, and from its inside.
+#include "checks/sphere_oracle.h"
 #include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
-#include "tests/support/oracle_sphere.h"
 #include "tests/traps/trap.h"
 
 #include <pathmark/lit_scene.h>
@@ -12,6 +12,7 @@ namespace pathmark {
 namespace {
 
 using namespace testing;
+using checks::SphereOracle;
 
 // Shirley, Wang & Zimmerman's formulas, typed in as they are printed.
 struct NaiveCone {

@@ -1,22 +1,17 @@
-// Irradiance from lights of constant radiance 1, in double.
-//
-//   polygonIrradiance   Lambert's formula, the polygon clipped at the receiver's horizon
-//   sphereIrradiance    by quadrature over the cone, cut at the horizon in closed form
-#pragma once
+#include "checks/irradiance.h"
 
-#include "tests/support/quadrature.h"
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
-namespace pathmark::testing {
+namespace pathmark::checks {
 
 // Lambert 1760: half the sum over the edges of (angle the edge is seen under) times (cosine of
-// the normal of the plane through edge and receiver to the receiver's normal). 0 from behind.
-inline double polygonIrradiance(const std::vector<glm::dvec3>& vertices, const glm::dvec3& x,
-                                const glm::dvec3& n) {
+// the normal of the plane through edge and receiver to the receiver's normal).
+double polygonIrradiance(const std::vector<glm::dvec3>& vertices, const glm::dvec3& x,
+                         const glm::dvec3& n) {
   std::vector<glm::dvec3> above;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const glm::dvec3 a = vertices[i] - x, b = vertices[(i + 1) % vertices.size()] - x;
@@ -37,9 +32,8 @@ inline double polygonIrradiance(const std::vector<glm::dvec3>& vertices, const g
   return std::max(-0.5 * sum, 0.0);
 }
 
-// A sphere under the angle asin(sinMax) around a direction that makes the cosine `cosAxis` with
-// the receiver's normal.
-inline double sphereIrradiance(double sinMax, double cosAxis) {
+double sphereIrradiance(double sinMax, double cosAxis) {
+  using Gauss = boost::math::quadrature::gauss<double, 10>;
   const double thetaMax = std::asin(sinMax), pi = std::numbers::pi;
   const double sinAxis = std::sqrt(1.0 - cosAxis * cosAxis);
   // Over the azimuth around the axis: the integral of max(0, a + b cos(phi)).
@@ -54,8 +48,15 @@ inline double sphereIrradiance(double sinMax, double cosAxis) {
     }
     return sum * std::sin(theta);
   };
+  const auto panels = [&](double low, double high, int count) {
+    double sum = 0.0;
+    for (int k = 0; k < count; ++k)
+      sum += Gauss::integrate(ring, low + (high - low) * k / count,
+                              low + (high - low) * (k + 1) / count);
+    return sum;
+  };
   const double kink = std::clamp(std::abs(0.5 * pi - std::acos(cosAxis)), 0.0, thetaMax);
-  return integrate(ring, 0.0, kink, 8) + integrate(ring, kink, thetaMax, 64);
+  return panels(0.0, kink, 8) + panels(kink, thetaMax, 64);
 }
 
-}  // namespace pathmark::testing
+}  // namespace pathmark::checks

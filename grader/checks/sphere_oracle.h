@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pathmark::testing {
+namespace pathmark::checks {
 
 struct SphereOracle {
   using LongVector = glm::vec<3, long double, glm::defaultp>;
@@ -59,4 +59,4 @@ struct SphereOracle {
   }
 };
 
-}  // namespace pathmark::testing
+}  // namespace pathmark::checks

@@ -1,0 +1,228 @@
+#include "checks/direct_cases.h"
+
+#include "checks/calls.h"
+#include "checks/exact.h"
+#include "checks/means.h"
+#include "sampling/mix.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pathmark::checks {
+
+namespace {
+
+constexpr double kDelta = 0.005, kTolerance = 1e-4;
+constexpr std::array kChannels{"red", "green", "blue"};
+
+std::vector<Estimate> estimate(CheckRun& run, const LitRoom& room, std::uint64_t seed,
+                               std::uint32_t replicates, std::uint32_t rays) {
+  const FlatScene flat = room.flat();
+  run.worker.loadScene(flat);
+  EstimateRequest request;
+  request.function = static_cast<std::uint32_t>(CourseworkFunction::kDirectLighting);
+  request.seed = seed;
+  request.replicates = replicates;
+  request.calls = 1;
+  request.rays = rays;
+  const Receiver& x = room.receiver;
+  return run.worker.estimate(
+      request, Words().add(x.p, x.n, room.rounding(), flat.materials.size() - 1, x.wo).words());
+}
+
+struct Suspect {
+  const char* mistake;
+  Kernel kernel;  // per unit area, as LightTerms says
+};
+
+double over(const LightTerms& t) { return 1.0 / (t.distance * t.distance); }
+
+constexpr Suspect kSuspects[] = {
+    {"no light arrives at all: the visibility test the wrong way round, or the sign of a cosine",
+     [](const LightTerms&) { return 0.0; }},
+    {"the density of the sample is not divided out",
+     [](const LightTerms& t) { return rightKernel(t) * t.density; }},
+    {"the density of the sample is multiplied with instead of divided by",
+     [](const LightTerms& t) { return rightKernel(t) * t.density * t.density; }},
+    {"r stands where r^2 belongs", [](const LightTerms& t) { return rightKernel(t) * t.distance; }},
+    {"r^2 is divided out twice", [](const LightTerms& t) { return rightKernel(t) * over(t); }},
+    {"r^2 is not divided out", [](const LightTerms& t) { return rightKernel(t) / over(t); }},
+    {"the cosine at the receiver is missing",
+     [](const LightTerms& t) { return rightKernel(t) / t.cosX; }},
+    {"the cosine at the light is missing",
+     [](const LightTerms& t) { return rightKernel(t) / t.cosY; }},
+    {"both cosines are missing",
+     [](const LightTerms& t) { return rightKernel(t) / (t.cosX * t.cosY); }},
+    {"the cosine at the receiver stands in both places",
+     [](const LightTerms& t) { return rightKernel(t) * t.cosX / t.cosY; }},
+    {"the cosine at the light stands in both places",
+     [](const LightTerms& t) { return rightKernel(t) * t.cosY / t.cosX; }},
+    {"wo and wi are exchanged in the call of brdf",
+     [](const LightTerms& t) { return rightKernel(t) * t.exchanged / t.brdf; }},
+    {"a factor pi too many", [](const LightTerms& t) { return rightKernel(t) * 3.14159265358979; }},
+    {"whether something lies between is not asked",
+     [](const LightTerms& t) { return t.brdf * t.cosX * t.cosY / (t.distance * t.distance); }},
+    {"the visibility test is the wrong way round: what is hidden shines",
+     [](const LightTerms& t) {
+       return t.open ? 0.0 : t.brdf * t.cosX * t.cosY / (t.distance * t.distance);
+     }},
+    {"points are drawn again until one is visible: hidden ones must count, with 0",
+     [](const LightTerms& t) { return t.openShare > 0.0 ? rightKernel(t) / t.openShare : 0.0; }},
+    {"the sum over the lights is divided by their number, or the probability of choosing one is "
+     "not divided out",
+     [](const LightTerms& t) { return rightKernel(t) / static_cast<double>(t.lightCount); }},
+    {"the sum over the lights is divided by their number plus 1",
+     [](const LightTerms& t) { return rightKernel(t) / static_cast<double>(t.lightCount + 1); }},
+    {"only the first light shines",
+     [](const LightTerms& t) { return t.light == 0 ? rightKernel(t) : 0.0; }},
+    {"only the last light shines: what each sends must be added",
+     [](const LightTerms& t) { return t.light + 1 == t.lightCount ? rightKernel(t) : 0.0; }},
+};
+
+// What was measured in a case.
+struct Measured {
+  glm::dvec3 mean{0.0}, error{0.0};
+};
+
+Measured measureOnce(CheckRun& run, const DirectCase& c) {
+  constexpr std::uint32_t kReplicates = 64;
+  glm::dvec3 sum(0.0), sum2(0.0);
+  for (const Estimate& e : estimate(run, c.room, mix(run.seed), kReplicates, c.rays)) {
+    const glm::dvec3 mean(e.mean[0], e.mean[1], e.mean[2]);
+    sum += mean;
+    sum2 += mean * mean;
+  }
+  Measured result;
+  const double n = kReplicates;
+  result.mean = sum / n;
+  result.error = glm::sqrt(glm::max(sum2 / n - result.mean * result.mean, glm::dvec3(0.0)) / n);
+  return result;
+}
+
+enum class Match { kNo, kLikeRight, kYes };
+
+Match compare(const glm::dvec3& suspected, const DirectCase& c, const Measured& m) {
+  constexpr double kSigmas = 5.0, kSame = 1e-3;
+  bool differs = false;
+  for (int k = 0; k < 3; ++k) {
+    const double slack = kSigmas * m.error[k] + kSame * c.expected[k];
+    if (!(std::abs(m.mean[k] - suspected[k]) <= slack)) return Match::kNo;
+    differs = differs || std::abs(suspected[k] - c.expected[k]) > 4.0 * slack;
+  }
+  return differs ? Match::kYes : Match::kLikeRight;
+}
+
+// The one mistake that explains all cases, some of them by being wrong.
+std::string causeOf(CheckRun& run, const std::vector<DirectCase>& cases) {
+  constexpr std::size_t kCount = std::size(kSuspects);
+  constexpr std::size_t kAlbedo = kCount;  // does not fit in a kernel: Kd once more
+  std::array<Match, kCount + 1> matches;
+  matches.fill(Match::kLikeRight);
+  for (const DirectCase& c : cases) {
+    if (!c.comparable) continue;
+    const Measured measured = measureOnce(run, c);
+    for (std::size_t k = 0; k <= kCount; ++k) {
+      if (matches[k] == Match::kNo) continue;
+      const glm::dvec3 suspected = k == kAlbedo ? c.expected * glm::dvec3(kReceiverKd)
+                                                : radianceBy(kSuspects[k].kernel, c.room);
+      const Match match = compare(suspected, c, measured);
+      if (match != Match::kLikeRight) matches[k] = match;
+    }
+  }
+  std::string cause;
+  for (std::size_t k = 0; k <= kCount; ++k) {
+    if (matches[k] != Match::kYes) continue;
+    if (!cause.empty()) return {};
+    cause = k == kAlbedo ? "Kd is multiplied with twice: it is in the BRDF" : kSuspects[k].mistake;
+  }
+  return cause;
+}
+
+std::string invalidText(std::uint64_t invalid, std::uint64_t all) {
+  return fmt::format("{} of {} values are negative, infinite or not a number", invalid, all);
+}
+
+Finding judgeCase(CheckRun& run, const DirectCase& c, std::uint64_t seed) {
+  std::vector<Mean> means;
+  for (int k = 0; k < 3; ++k) {
+    Mean mean;
+    mean.what = fmt::format("mean {} radiance", kChannels[static_cast<std::size_t>(k)]);
+    mean.expected = mean.scale = c.expected[k];
+    mean.tolerance = kTolerance;
+    mean.delta = kDelta;
+    means.push_back(mean);
+  }
+  std::uint64_t invalid = 0, all = 0;
+  const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
+    const auto estimates = estimate(run, c.room, mix(seed + first), count, c.rays);
+    all += std::uint64_t{count} * c.rays;
+    for (std::size_t r = 0; r < estimates.size(); ++r) {
+      invalid += estimates[r].invalid;
+      for (std::size_t k = 0; k < 3; ++k)
+        values[3 * r + k] =
+            invalid == 0 ? estimates[r].mean[k] : std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  Finding finding = judgeMeans(run, means, measure, c.room.text(), {}, 3);
+  finding.calls = all;
+  if (invalid > 0) {
+    finding.expected = "finite values of at least 0";
+    finding.got = invalidText(invalid, all);
+    finding.tolerance.clear();
+  }
+  return finding;
+}
+
+}  // namespace
+
+DirectCase caseOf(const LitRoom& room, std::uint32_t rays) {
+  return {room, radianceBy(rightKernel, room), true, rays};
+}
+
+Finding judgeCases(CheckRun& run, const std::vector<DirectCase>& cases) {
+  Finding worst;
+  std::uint64_t calls = 0, seed = run.seed;
+  for (const DirectCase& c : cases) {
+    seed = mix(seed);
+    Finding finding = judgeCase(run, c, seed);
+    calls += finding.calls;
+    if (finding.status == Status::kFail && !finding.tolerance.empty())
+      finding.cause = causeOf(run, cases);
+    if (worst.passed()) worst = finding;
+    if (!finding.passed()) break;
+  }
+  worst.calls = calls;
+  return worst;
+}
+
+Finding judgeDarkness(CheckRun& run, const std::vector<DarkCase>& cases) {
+  constexpr std::uint32_t kReplicates = 4, kRays = 256;
+  Exact exact;
+  std::string cause;
+  for (const DarkCase& c : cases) {
+    std::uint64_t invalid = 0;
+    glm::dvec3 mean(0.0);
+    for (const Estimate& e : estimate(run, c.room, run.seed, kReplicates, kRays)) {
+      invalid += e.invalid;
+      if (e.invalid < kRays) mean += glm::dvec3(e.mean[0], e.mean[1], e.mean[2]) / 4.0;
+    }
+    exact.count(kReplicates * kRays);
+    exact.holds(
+        invalid == 0 && mean == glm::dvec3(0.0), fmt::format("no light: {}", c.why),
+        [&] {
+          return invalid > 0 ? invalidText(invalid, kReplicates * kRays)
+                             : fmt::format("mean radiance = {}", text(vec3(mean)));
+        },
+        [&] { return c.room.text(); });
+    if (!exact.failed()) continue;
+    Finding finding = exact.finding();
+    finding.cause = c.cause;
+    return finding;
+  }
+  return exact.finding();
+}
+
+}  // namespace pathmark::checks

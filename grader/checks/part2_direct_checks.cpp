@@ -1,0 +1,277 @@
+// What is asked of 2.6: direct light.
+#include "checks/calls.h"
+#include "checks/direct_cases.h"
+#include "checks/exact.h"
+#include "checks/irradiance.h"
+#include "checks/part2_checks.h"
+#include "checks/random_rooms.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace pathmark::checks {
+
+namespace {
+
+using F = CourseworkFunction;
+
+constexpr double kPiD = std::numbers::pi;
+
+const Colour kEmission(3.0f, 2.0f, 0.5f);
+const Receiver kBelow{{0.3f, 0, 0.2f}, {0, 1, 0}, {0.6f, 0.8f, 0}};
+
+// Lights at height 2 that look down.
+RoomLight plainLight(LightShape shape) {
+  RoomLight light{.emission = kEmission};
+  switch (shape) {
+    case LightShape::kTriangle:
+      light.vertices = {{0, 2, 0}, {2, 2, 0}, {0, 2, 3}};
+      break;
+    case LightShape::kParallelogram:
+      light.vertices = {{-1, 2, -1}, {1, 2, -1}, {1, 2, 0.5f}, {-1, 2, 0.5f}};
+      break;
+    case LightShape::kPolygon:
+      light.vertices = {{-1, 2, -1}, {2, 2, -1}, {1, 2, 1}, {-1, 2, 0.5f}};
+      break;
+    case LightShape::kSphere:
+      light.centre = {0, 2, 0};
+      light.radius = 0.8f;
+  }
+  return light;
+}
+
+// By closed forms that need no light to be wholly above the horizon, with the BRDF Kd/pi.
+DirectCase diffuseCase(const LitRoom& room, double irradiance, std::uint32_t rays = 64) {
+  const glm::dvec3 colour = glm::dvec3(kReceiverKd) * glm::dvec3(room.lights[0].emission);
+  return {room, colour * (irradiance / kPiD), false, rays};
+}
+
+template <LightShape kShape>
+Finding polygonLights(CheckRun& run) {
+  LitRoom plain{{plainLight(kShape)}, {}, kBelow};
+  std::vector<DirectCase> cases{caseOf(plain)};
+  plain.receiver.lopsided = true;
+  cases.push_back(caseOf(plain));
+  Random random(run.seed);
+  for (const double size : {1.0, 3.0, 1.0, 1e-3, 1e4}) {
+    const RoomLight light = makeLight(random, kShape, size);
+    cases.push_back(caseOf({{light}, {}, place(random, light, Placement::kWhollyLit)}));
+    const LitRoom cut{{light}, {}, place(random, light, Placement::kCut)};
+    cases.push_back(
+        diffuseCase(cut, polygonIrradiance(light.openOutline(), glm::dvec3(cut.receiver.p),
+                                           glm::dvec3(cut.receiver.n))));
+  }
+  return judgeCases(run, cases);
+}
+
+Finding sphereLights(CheckRun& run) {
+  constexpr std::uint32_t kRays = 256;  // half of the points by area are on the far side
+  LitRoom plain{{plainLight(LightShape::kSphere)}, {}, kBelow};
+  std::vector<DirectCase> cases{caseOf(plain, kRays)};
+  plain.receiver.lopsided = true;
+  cases.push_back(caseOf(plain, kRays));
+  Random random(run.seed);
+  const std::pair<double, double> sizesAndSines[] = {
+      {1.0, 0.5}, {3.0, 0.1}, {1e-3, 0.3}, {1e4, 0.5}, {1.0, 1e-3}};
+  for (const auto& [size, sine] : sizesAndSines) {
+    const RoomLight light = makeLight(random, LightShape::kSphere, size);
+    cases.push_back(
+        caseOf({{light}, {}, place(random, light, Placement::kWhollyLit, sine)}, kRays));
+    const LitRoom cut{{light}, {}, place(random, light, Placement::kCut, sine)};
+    const glm::dvec3 axis = glm::dvec3(light.centre) - glm::dvec3(cut.receiver.p);
+    const double distance = glm::length(axis);
+    cases.push_back(
+        diffuseCase(cut,
+                    sphereIrradiance(double{light.radius} / distance,
+                                     glm::dot(axis, glm::dvec3(cut.receiver.n)) / distance),
+                    kRays));
+  }
+  return judgeCases(run, cases);
+}
+
+// A sphere that shines inwards sends pi Le to every surface in it.
+Finding inwardSpheres(CheckRun& run) {
+  std::vector<DirectCase> cases;
+  Random random(run.seed);
+  for (const double share : {0.0, 0.5, 0.8}) {
+    RoomLight light{.centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kEmission};
+    Receiver receiver;
+    receiver.p = light.centre + static_cast<float>(2.0 * share) * random.direction();
+    receiver.n = share == 0.0 ? Vector(0, 1, 0) : random.direction();
+    receiver.wo = atCosine(receiver.n, 0.8, 1.0);
+    cases.push_back(diffuseCase({{light}, {}, receiver}, kPiD, 256));
+  }
+  return judgeCases(run, cases);
+}
+
+// Two light a receiver from the front, one of five has turned its back on it.
+Finding severalLights(CheckRun& run) {
+  std::vector<DirectCase> cases;
+  Random random(run.seed);
+  for (const int count : {2, 3, 5}) {
+    LitRoom room{{}, {}, kBelow};
+    room.receiver.lopsided = count > 2;
+    for (int k = 0; k < count; ++k)
+      room.lights.push_back(
+          lightAround(random, room.receiver,
+                      k % 2 == 0 ? LightShape::kParallelogram : LightShape::kTriangle, k, count));
+    if (count == 5) std::reverse(room.lights[3].vertices.begin(), room.lights[3].vertices.end());
+    cases.push_back(caseOf(room, 256));
+  }
+  return judgeCases(run, cases);
+}
+
+// What hides a parallelogram light from p0 + share (p1 - p0) on: a parallelogram at a part of the
+// way from the receiver.
+std::vector<Point> screenBefore(const RoomLight& light, const Point& x, double share, double way) {
+  constexpr double kMargin = 0.2;
+  const glm::dvec3 p0(light.vertices[0]), v1 = glm::dvec3(light.vertices[1]) - p0,
+                                          v2 = glm::dvec3(light.vertices[3]) - p0;
+  const auto on = [&](double a, double b) {
+    return Point(glm::mix(glm::dvec3(x), p0 + a * v1 + b * v2, way));
+  };
+  return {on(share, -kMargin), on(1.0 + kMargin, -kMargin), on(1.0 + kMargin, 1.0 + kMargin),
+          on(share, 1.0 + kMargin)};
+}
+
+Finding screens(CheckRun& run) {
+  constexpr std::uint32_t kRays = 256;
+  const auto hide = [](const LitRoom& room, double share, double way) {
+    LitRoom hidden = room;
+    hidden.lights[0].open = share;
+    hidden.screens.push_back(screenBefore(room.lights[0], room.receiver.p, share, way));
+    return hidden;
+  };
+  const LitRoom plain{{plainLight(LightShape::kParallelogram)}, {}, kBelow};
+  std::vector<DirectCase> cases{caseOf(hide(plain, 0.5, 0.5), kRays)};
+  // On the way to the light, but behind it or behind the receiver.
+  for (const double way : {1.5, -0.5}) {
+    LitRoom elsewhere = plain;
+    elsewhere.screens.push_back(screenBefore(plain.lights[0], plain.receiver.p, 0.0, way));
+    cases.push_back(caseOf(elsewhere));
+  }
+  Random random(run.seed);
+  for (const auto& [size, share] : {std::pair{1.0, 0.25}, {1e-3, 0.75}, {1e4, 0.4}, {2.0, 0.6}}) {
+    const RoomLight light = makeLight(random, LightShape::kParallelogram, size);
+    const LitRoom room{{light}, {}, place(random, light, Placement::kWhollyLit)};
+    cases.push_back(caseOf(hide(room, share, random.between(0.3, 0.7)), kRays));
+  }
+  return judgeCases(run, cases);
+}
+
+Finding darkness(CheckRun& run) {
+  const LitRoom lit{{plainLight(LightShape::kParallelogram)}, {}, kBelow};
+  std::vector<DarkCase> cases;
+  LitRoom room = lit;
+  room.receiver.wo = {0.6f, -0.8f, 0};
+  cases.push_back({room, "wo is below the surface, where the BRDF is 0", ""});
+  room = lit;
+  room.receiver.n = {0, -1, 0};
+  room.receiver.wo = {0.6f, -0.8f, 0};
+  cases.push_back({room, "the light is below the receiver's horizon",
+                   "the cosine at the receiver must be positive"});
+  room = lit;
+  room.lights[0].frontOnly = true;
+  room.receiver = {{0.3f, 4, 0.2f}, {0, -1, 0}, {0.6f, -0.8f, 0}};
+  cases.push_back({room, "the receiver is behind the light, which shines from its front only",
+                   "the cosine at the light must be positive"});
+  room = lit;
+  room.screens.push_back(screenBefore(room.lights[0], room.receiver.p, -0.2, 0.5));
+  cases.push_back(
+      {room, "a screen hides the light", "whether something lies between is not asked"});
+  room = lit;
+  room.lights.clear();
+  cases.push_back({room, "there are no lights", ""});
+  const Point centre(1, 2, 3);
+  for (const float share : {0.0f, 0.5f, 1.0f})
+    for (const Vector& n : {Vector(1, 0, 0), Vector(-1, 0, 0)}) {
+      room = lit;
+      room.lights = {{.centre = centre, .radius = 2.0f, .emission = kEmission}};
+      room.receiver = {centre + Vector(2.0f * share, 0, 0), n, n};
+      cases.push_back({room,
+                       share < 1.0f ? "the receiver is inside a sphere that shines outwards"
+                                    : "the receiver is on a sphere that shines outwards",
+                       "a sample with the density 0 is none: nothing may be divided by it"});
+    }
+  return judgeDarkness(run, cases);
+}
+
+// Exact, whatever the function is: it says where each number comes from.
+Finding isAFunctionOfItsNumbers(CheckRun& run) {
+  constexpr std::uint32_t kSeeds = 64;
+  Random random(run.seed);
+  Exact exact;
+  for (const int count : {1, 3}) {
+    LitRoom room{{}, {}, kBelow};
+    for (int k = 0; k < count; ++k)
+      room.lights.push_back(
+          lightAround(random, room.receiver, LightShape::kParallelogram, k, count));
+    const auto call = [&](bool backwards) {
+      const FlatScene flat = room.flat();
+      run.worker.loadScene(flat);
+      Calls calls(F::kDirectLighting);
+      for (std::uint32_t k = 0; k < kSeeds; ++k)
+        calls.add(room.receiver.p, room.receiver.n, room.rounding(), flat.materials.size() - 1,
+                  room.receiver.wo, uvec2(backwards ? kSeeds - 1 - k : k, 7u));
+      exact.count(kSeeds);
+      return calls.run(run.worker);
+    };
+    const Results first = call(false), again = call(true);
+    const std::string where = room.text();
+    for (RoomLight& light : room.lights) light.emission *= 2.0f;
+    const Results twice = call(false);
+    for (std::uint32_t k = 0; k < kSeeds; ++k) {
+      const Colour radiance = first.vector(k, 0);
+      exact.holds(
+          again.vector(kSeeds - 1 - k, 0) == radiance,
+          "the same radiance again for the same numbers from the sampler",
+          [&] {
+            return fmt::format("{} and then {}", text(radiance),
+                               text(again.vector(kSeeds - 1 - k, 0)));
+          },
+          [&] { return where; });
+      exact.holds(
+          twice.vector(k, 0) == 2.0f * radiance,
+          "exactly twice the radiance for lights of twice the emission",
+          [&] { return fmt::format("{} and {}", text(radiance), text(twice.vector(k, 0))); },
+          [&] { return where; });
+    }
+  }
+  return exact.finding();
+}
+
+}  // namespace
+
+std::vector<Check> directLightingChecks() {
+  constexpr F kDirect = F::kDirectLighting;
+  const std::vector<F> triangle{F::kTriangularSampling}, rectangle{F::kRectangularSampling},
+      polygon{F::kPolygonSampling}, sphere{F::kSphereSample},
+      both{F::kTriangularSampling, F::kRectangularSampling};
+  return {
+      {"rectangle", kDirect, "the light of a rectangle that arrives, reflected by the BRDF", 0.005,
+       polygonLights<LightShape::kParallelogram>, rectangle},
+      {"triangle", kDirect, "the light of a triangle that arrives, reflected by the BRDF", 0.005,
+       polygonLights<LightShape::kTriangle>, triangle},
+      {"visibility", kDirect, "what a screen hides sends no light, and what it leaves open does",
+       0.005, screens, rectangle},
+      {"dark", kDirect,
+       "no light from below the horizon, to wo below it, from the back of a light, "
+       "through a screen, or by a sample of density 0",
+       0.0, darkness, rectangle},
+      {"repeatable", kDirect,
+       "the radiance depends on the numbers from the sampler and on nothing else, and is "
+       "proportional to the emission",
+       0.0, isAFunctionOfItsNumbers, rectangle},
+      {"lights", kDirect, "of several lights the sum arrives", 0.005, severalLights, both},
+      {"polygon", kDirect, "the light of a polygon that arrives, reflected by the BRDF", 0.005,
+       polygonLights<LightShape::kPolygon>, polygon},
+      {"sphere", kDirect, "the light of a sphere that arrives, reflected by the BRDF", 0.005,
+       sphereLights, sphere},
+      {"inside", kDirect, "in a sphere that shines inwards, Kd Le leaves every surface", 0.005,
+       inwardSpheres, sphere},
+  };
+}
+
+}  // namespace pathmark::checks
