@@ -3,6 +3,7 @@
 #include "checks/standins/lopsided.h"
 #include "checks/standins/unfair_roulette.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace pathmark::checks {
@@ -76,10 +77,12 @@ double meanOverSamples(const Polynomial& g) { return kShare * moment(g, 0); }
 
 using Step = std::function<Polynomial(const Polynomial&)>;
 
-// D + S(D + S(... D)), with the direct light D of B hits and the step S from one to the next.
-Polynomial sumOfHits(const Polynomial& direct, const Step& step, int hits) {
-  Polynomial sum = constant(0.0);
-  for (int k = 0; k < hits; ++k) sum = direct + (k == 0 ? sum : step(sum));
+// D + S(D + S(... D_B)), with the direct light D of B hits, that of the last hit perhaps another,
+// and the step S from one to the next.
+Polynomial sumOfHits(const Polynomial& direct, const Polynomial& last, const Step& step, int hits) {
+  if (hits < 1) return constant(0.0);
+  Polynomial sum = last;
+  for (int k = 1; k < hits; ++k) sum = direct + step(sum);
   return sum;
 }
 
@@ -90,16 +93,22 @@ using MakeStep = Polynomial (*)(double kd, const Polynomial& g);
 FurnaceMistake inStep(const char* words, MakeStep make) {
   return {words, [make](const LopsidedFurnace& f, double cosine, int bounces) {
             const Step step = [&](const Polynomial& g) { return make(f.kd, g); };
-            return f.emission + at(sumOfHits(directLight(f), step, bounces), cosine);
+            return f.emission +
+                   at(sumOfHits(directLight(f), directLight(f), step, bounces), cosine);
           }};
 }
 
 using MakeDirect = Polynomial (*)(const LopsidedFurnace& f);
 
-FurnaceMistake inDirectLight(const char* words, MakeDirect make) {
-  return {words, [make](const LopsidedFurnace& f, double cosine, int bounces) {
+// Of all hits, or of those only from which the path may go on.
+enum class Hits { kAll, kAllButLast };
+
+FurnaceMistake inDirectLight(const char* words, Hits hits, MakeDirect make) {
+  return {words, [make, hits](const LopsidedFurnace& f, double cosine, int bounces) {
             const Step step = [&](const Polynomial& g) { return reflect(f.kd, g); };
-            return f.emission + at(sumOfHits(make(f), step, bounces), cosine);
+            return f.emission + at(sumOfHits(make(f), hits == Hits::kAll ? make(f) : directLight(f),
+                                             step, bounces),
+                                   cosine);
           }};
 }
 
@@ -116,11 +125,23 @@ FurnaceMistake emissionAgain(const char* words, bool withThroughput, int beyond)
           }};
 }
 
+constexpr const char* kEarly =
+    "direct light is multiplied by the throughput of the next hit: the update comes too early";
+constexpr const char* kLost =
+    "direct light is added after the roulette: where it ends a path, it is lost";
+
+Polynomial earlyDirectLight(const LopsidedFurnace& f) {
+  return directLight(f) * reflect(f.kd, constant(1.0));
+}
+
+Polynomial lostDirectLight(const LopsidedFurnace& f) { return kShare * kSurvival * directLight(f); }
+
 }  // namespace
 
 double LopsidedFurnace::radiance(double cosine, int bounces) const {
   const Step step = [&](const Polynomial& g) { return reflect(kd, g); };
-  return emission + at(sumOfHits(directLight(*this), step, bounces), cosine);
+  const Polynomial direct = directLight(*this);
+  return emission + at(sumOfHits(direct, direct, step, bounces), cosine);
 }
 
 const std::vector<FurnaceMistake>& furnaceMistakes() {
@@ -134,6 +155,10 @@ const std::vector<FurnaceMistake>& furnaceMistakes() {
       {"one bounce short: hits 1 to B get direct light, and hits 1 to B - 1 go on",
        [](const LopsidedFurnace& f, double cosine, int bounces) {
          return f.radiance(cosine, bounces - 1);
+       }},
+      {"one bounce short: hits 1 to B get direct light, and hits 1 to B - 1 go on",
+       [](const LopsidedFurnace& f, double cosine, int bounces) {
+         return f.radiance(cosine, std::max(bounces - 1, 1));
        }},
       {"one bounce too many: hits 1 to B get direct light, and hits 1 to B - 1 go on",
        [](const LopsidedFurnace& f, double cosine, int bounces) {
@@ -167,12 +192,19 @@ const std::vector<FurnaceMistake>& furnaceMistakes() {
              [](double kd, const Polynomial& g) { return kSurvival * reflect(kd, g); }),
       inStep("the roulette's weight is in the throughput twice",
              [](double kd, const Polynomial& g) { return 1.0 / kSurvival * reflect(kd, g); }),
-      inDirectLight(
-          "direct light is multiplied by the throughput of the next hit: the update "
-          "comes too early",
-          [](const LopsidedFurnace& f) { return directLight(f) * reflect(f.kd, constant(1.0)); }),
-      inDirectLight("direct light is added after the roulette: where it ends a path, it is lost",
-                    [](const LopsidedFurnace& f) { return kShare * kSurvival * directLight(f); }),
+      inDirectLight(kEarly, Hits::kAll, earlyDirectLight),
+      inDirectLight(kEarly, Hits::kAllButLast, earlyDirectLight),
+      inDirectLight(kLost, Hits::kAll, lostDirectLight),
+      inDirectLight(kLost, Hits::kAllButLast, lostDirectLight),
+      {"the throughput is assigned (=) where it must be multiplied (*=)",
+       [](const LopsidedFurnace& f, double cosine, int bounces) {
+         // Of each hit's direct light the last step only, for the paths that come to it.
+         Polynomial later = constant(0.0);
+         const Polynomial once = reflect(f.kd, directLight(f));
+         for (int k = 1; k < bounces; ++k)
+           later = once + constant(kSurvival * meanOverSamples(later));
+         return f.radiance(cosine, 1) + at(later, cosine);
+       }},
   };
   return kMistakes;
 }

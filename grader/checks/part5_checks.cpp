@@ -78,24 +78,27 @@ Finding emissionIsSeen(CheckRun& run) {
   struct Case {
     const char* what;
     PathRay ray;
+    bool meets;
     Colour expected;
   };
   const Colour emission(3, 2, 1);
   const Ray front{{0.3f, 0.2f, 2}, {0, 0, -1}}, back{{0.3f, 0.2f, -2}, {0, 0, 1}},
       past{{5, 0, 2}, {0, 0, -1}};
   const std::vector<Case> cases{
-      {"the front of a light, maxBounces() = 0", {front, 0}, emission},
-      {"the back of a light, maxBounces() = 0", {back, 0}, Colour(0.0f)},
-      {"a ray that meets nothing, maxBounces() = 0", {past, 0}, Colour(0.0f)},
-      {"the front of a light, maxBounces() = 8", {front, 8}, emission},
-      {"the back of a light, maxBounces() = 8", {back, 8}, Colour(0.0f)},
-      {"a ray that meets nothing, maxBounces() = 8", {past, 8}, Colour(0.0f)},
+      {"the front of a light, maxBounces() = 0", {front, 0}, true, emission},
+      {"the back of a light, maxBounces() = 0", {back, 0}, true, Colour(0.0f)},
+      {"a ray that meets nothing, maxBounces() = 0", {past, 0}, false, Colour(0.0f)},
+      {"the front of a light, maxBounces() = 8", {front, 8}, true, emission},
+      {"the back of a light, maxBounces() = 8", {back, 8}, true, Colour(0.0f)},
+      {"a ray that meets nothing, maxBounces() = 8", {past, 8}, false, Colour(0.0f)},
   };
   SceneBuilder builder;
   builder.parallelogram({.kd = Colour(0.5f), .emission = emission}, {-1, -1, 0}, {2, 0, 0},
                         {0, 2, 0});
   run.worker.loadScene(builder.flat());
-  Exact exact{"what the first hit emits is lost", "emission is counted twice"};
+  Exact exact{"what the first hit emits is lost", "emission is counted twice",
+              "emission is multiplied by the reflectance",
+              "direct light is assigned (=) where it must be added (+=)", "the back emits too"};
   std::vector<PathRay> rays;
   for (const Case& c : cases) rays.push_back(c.ray);
   const std::vector<Traced> traced = traceOnce(run, rays);
@@ -112,7 +115,9 @@ Finding emissionIsSeen(CheckRun& run) {
     for (int channel = 0; channel < 3; ++channel) {
       const double expected = double{c.expected[channel]};
       exact.value(fmt::format("radiance, {}", kChannels[channel]), traced[k].radiance[channel],
-                  expected, 0.0, where, {0.0, 2.0 * expected});
+                  expected, 0x1p-22 * expected, where,
+                  {0.0, 2.0 * expected, 0.5 * expected, c.ray.bounces == 0 ? expected : 0.0,
+                   c.meets ? double{emission[channel]} : 0.0});
     }
   }
   return exact.finding();
@@ -213,17 +218,18 @@ Finding twiceTheEmission(CheckRun& run) {
   return finding;
 }
 
-// Of single values, which are not the same paths' as others, and of all of them together.
-constexpr double kDeltaOfOne = 0.05, kDeltaOfAll = 0.005;
+// Errors that are found: of the radiance of one ray in one channel, and of all of them together.
+struct Deltas {
+  double one = 0.02, all = 0.005;
+};
 
-// Where the question is which way the path goes, or what the roulette was asked.
-constexpr double kDeltaOfPlace = 0.01;
+// Where the question is which way a path goes, or what the roulette was asked.
+constexpr Deltas kCoarse{0.05, 0.01};
 
 void addMeans(std::vector<Mean>& means, const std::string& what, const glm::dvec3& radiance) {
   for (int c = 0; c < 3; ++c)
     means.push_back({.what = fmt::format("{}, {}", what, kChannels[c]),
                      .expected = radiance[c],
-                     .delta = kDeltaOfOne,
                      .scale = radiance[c]});
 }
 
@@ -237,13 +243,14 @@ double meanRatio(std::span<const double> values, const std::vector<Mean>& means)
 // `means`: three channels of each ray. Judged are these, and their mean ratio to what they must be,
 // which has the least noise.
 Finding judgePaths(CheckRun& run, const std::vector<PathRay>& rays, std::uint32_t paths,
-                   const std::vector<Mean>& means, double deltaOfAll, const std::string& where,
+                   const std::vector<Mean>& means, const Deltas& deltas, const std::string& where,
                    std::vector<Suspicion> suspicions = {}) {
   PathEstimates estimates(run, rays, paths);
   std::vector<Mean> all = means;
+  for (Mean& mean : all) mean.delta = deltas.one;
   all.push_back({.what = "radiance / what it must be, mean over all rays",
                  .expected = 1.0,
-                 .delta = deltaOfAll});
+                 .delta = deltas.all});
   for (Suspicion& s : suspicions) s.means.push_back(meanRatio(s.means, means));
   const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
     std::vector<double> single(count * means.size());
@@ -262,7 +269,7 @@ Finding judgePaths(CheckRun& run, const std::vector<PathRay>& rays, std::uint32_
 Finding lopsidedFurnace(CheckRun& run) {
   Random random(run.seed);
   const Hollow hollow(random);
-  const Colour kd(0.4f, 0.3f, 0.1f), emission(1.0f, 0.5f, 2.0f);
+  const Colour kd(0.3f, 0.2f, 0.1f), emission(1.0f, 0.5f, 2.0f);
   SceneBuilder builder;
   builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true);
   run.worker.loadScene(builder.flat());
@@ -270,7 +277,7 @@ Finding lopsidedFurnace(CheckRun& run) {
   std::vector<Mean> means;
   std::vector<Suspicion> suspicions;
   for (const FurnaceMistake& mistake : furnaceMistakes()) suspicions.push_back({mistake.words, {}});
-  for (const int bounces : {1, 2, 3, 6})
+  for (const int bounces : {1, 2, 3, 8})
     for (const double cosine : {0.9, 0.3}) {
       rays.push_back({hollow.rayAt(cosine, random), bounces});
       glm::dvec3 radiance;
@@ -285,7 +292,7 @@ Finding lopsidedFurnace(CheckRun& run) {
                radiance);
     }
   return judgePaths(
-      run, rays, 256, means, kDeltaOfAll,
+      run, rays, 512, means, {},
       fmt::format("inside a sphere that emits {} everywhere; a surface for testing, with a BRDF "
                   "that depends on wo and wi, and a roulette that ends 7 paths of 10",
                   text(emission)),
@@ -318,7 +325,7 @@ Finding furnaceWithSphere(CheckRun& run) {
                            ball ? "inner sphere" : "wall", bounces),
                (4.0 - std::ldexp(1.0, -2 * bounces)) / 3.0 * glm::dvec3(emission));
     }
-  return judgePaths(run, rays, 256, means, kDeltaOfAll,
+  return judgePaths(run, rays, 512, means, {},
                     fmt::format("between two spheres of radius {:.4g} and {:.4g} that emit {} and "
                                 "reflect a quarter",
                                 inner, outer, text(emission)));
@@ -338,7 +345,7 @@ Finding mattRoom(CheckRun& run) {
     rays.push_back({{Point(eye), Vector(glm::normalize(target - eye))}, 2});
     addMeans(means, fmt::format("radiance from wall {}", wall + 1), room.radiance(wall, target, 2));
   }
-  return judgePaths(run, rays, 256, means, kDeltaOfPlace,
+  return judgePaths(run, rays, 256, means, kCoarse,
                     "a closed room of six walls with different emissions and reflectances, "
                     "maxBounces() = 2");
 }
@@ -374,7 +381,7 @@ Finding unfairRoulette(CheckRun& run) {
     }
     addMeans(means, fmt::format("radiance, maxBounces() = {}", bounces), radiance);
   }
-  return judgePaths(run, rays, 256, means, kDeltaOfPlace,
+  return judgePaths(run, rays, 256, means, kCoarse,
                     "inside a sphere that emits everywhere, with a roulette for testing: where the "
                     "throughput's blue is 0, as after every update here, its weight is not 1/q but "
                     "(1 + 1/(1 + depth)) / q",
@@ -402,18 +409,18 @@ std::span<const Check> part5Checks() {
       {"furnace", F::kTracePath,
        "inside a sphere the mean radiance is E + integral of f L cos(theta), for each number of "
        "bounces",
-       kDeltaOfAll, lopsidedFurnace},
+       Deltas{}.all, lopsidedFurnace},
       {"furnace-with-sphere", F::kTracePath,
        "where all surfaces emit E and reflect a quarter, the mean radiance is E (4 - 4^-B) / 3",
-       0.005, furnaceWithSphere},
+       Deltas{}.all, furnaceWithSphere},
       {"room", F::kTracePath,
        "in a room of unequal walls the mean radiance is that of the light which arrives where the "
        "path is",
-       kDeltaOfPlace, mattRoom},
+       kCoarse.all, mattRoom},
       {"roulette", F::kTracePath,
        "RussianRoulette is asked after each update of the throughput, with the updated throughput "
        "and the number of scattering events so far, and what it says is done",
-       kDeltaOfPlace, unfairRoulette},
+       kCoarse.all, unfairRoulette},
   };
   return kChecks;
 }
