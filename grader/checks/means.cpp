@@ -24,15 +24,17 @@ stats::Guarantee guaranteeOf(const Mean& mean, double alpha, int looks) {
   return guarantee;
 }
 
-// Matches all means by what is measured, and is not as good as right.
+// Matches all means by what is measured, and is not as good as right. The floors that the judgement
+// puts under a deviation would let it match too much.
 bool explains(const Suspicion& suspicion, const std::vector<Mean>& means,
-              const std::vector<stats::Judgement>& judgements) {
+              const std::vector<stats::ReplicateTest>& tests) {
   constexpr double kSigmas = 5.0;
   bool differs = false;
   for (std::size_t k = 0; k < means.size(); ++k) {
-    const double slack =
-        kSigmas * judgements[k].standardError + means[k].tolerance * means[k].scale;
-    if (std::abs(judgements[k].mean - suspicion.means[k]) > slack) return false;
+    const stats::RunningMoments& measured = tests[k].replicates();
+    const double slack = kSigmas * std::hypot(measured.standardError(), means[k].expectedError) +
+                         means[k].tolerance * means[k].scale;
+    if (!(std::abs(measured.mean() - suspicion.means[k]) <= slack)) return false;
     if (std::abs(means[k].expected - suspicion.means[k]) > 2.0 * slack) differs = true;
   }
   return differs;
@@ -75,6 +77,9 @@ Finding judgeMeans(CheckRun& run, const std::vector<Mean>& means, const Measure&
     }
     if (judgements[worst].outcome != stats::Outcome::kUndecided) break;
   }
+  // Means come from plain ones to rare ones: of those that fail the first teaches most.
+  for (std::size_t k = means.size(); k-- > 0;)
+    if (judgements[k].outcome == stats::Outcome::kFail) worst = k;
   Finding finding = describe(means[worst], judgements[worst], where);
   switch (judgements[worst].outcome) {
     case stats::Outcome::kPass:
@@ -86,7 +91,7 @@ Finding judgeMeans(CheckRun& run, const std::vector<Mean>& means, const Measure&
     case stats::Outcome::kFail:
       finding.status = Status::kFail;
       for (const Suspicion& suspicion : suspicions)
-        if (finding.cause.empty() && explains(suspicion, means, judgements))
+        if (finding.cause.empty() && explains(suspicion, means, tests))
           finding.cause = suspicion.mistake;
       break;
   }

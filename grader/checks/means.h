@@ -40,7 +40,8 @@ inline constexpr std::uint32_t kReplicatesOfLook[] = {256, 1024, 4096};
 // Writes the means of these replicates, one after the other, means.size() numbers each.
 using Measure = std::function<void(std::uint32_t first, std::uint32_t count, std::span<double>)>;
 
-// `where`: what was measured with which inputs. The finding of the worst mean.
+// `where`: what was measured with which inputs. The finding of the worst mean, or of the first that
+// fails: plain ones come first.
 Finding judgeMeans(CheckRun& run, const std::vector<Mean>& means, const Measure& measure,
                    const std::string& where, const std::vector<Suspicion>& suspicions = {},
                    int looks = 2);

@@ -1,7 +1,428 @@
+// What is asked of part 5, the path tracer.
+//
+// Its worker has stand-ins for all that tracePath calls (standins/): direct light is looked for in
+// one direction, the BRDFs draw theirs uniformly, Phong's is not symmetric and says "no sample" for
+// an eighth of its samples, and the roulette ends seven paths of ten.
 #include "checks/all_checks.h"
+#include "checks/exact.h"
+#include "checks/lopsided_furnace.h"
+#include "checks/matt_room.h"
+#include "checks/path_estimates.h"
+#include "checks/points.h"
+#include "checks/scenes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace pathmark::checks {
 
-std::span<const Check> part5Checks() { return {}; }
+namespace {
+
+using F = CourseworkFunction;
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr const char* kChannels[] = {"red", "green", "blue"};
+
+// Any Ks that is not black makes it Phong's, whose stand-in looks at Kd only.
+Surface lopsidedWall(const Colour& kd, const Colour& emission) {
+  return {.kd = kd, .emission = emission, .ks = Colour(0.125f)};
+}
+
+// A sphere from within, somewhere.
+struct Hollow {
+  Point centre;
+  float radius;
+
+  explicit Hollow(Random& random)
+      : centre(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)),
+        radius(static_cast<float>(random.between(1.0, 3.0))) {}
+
+  // A ray from within that meets the wall at this cosine.
+  Ray rayAt(double cosine, Random& random) const {
+    const Vector n = random.direction();
+    const Vector wo = atCosine(n, cosine, random.between(0.0, kTwoPi));
+    const double chord = 2.0 * double{radius} * cosine;
+    return {
+        Point(glm::dvec3(centre) - double{radius} * glm::dvec3(n) + 0.4 * chord * glm::dvec3(wo)),
+        -wo};
+  }
+};
+
+std::string inWords(const Ray& ray) {
+  return fmt::format("a ray from {} towards {}", text(ray.origin), text(ray.direction));
+}
+
+struct Traced {
+  Colour radiance;
+  bool valid;
+};
+
+// One path along each ray.
+std::vector<Traced> traceOnce(CheckRun& run, const std::vector<PathRay>& rays,
+                              std::uint32_t seed = 0) {
+  CheckRun own{run.worker, run.seed + seed, run.budget};
+  PathEstimates estimates(own, rays, 1);
+  std::vector<double> values(3 * rays.size());
+  estimates.measure(0, 1, values);
+  std::vector<Traced> all;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const Colour c(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+    all.push_back({c, !std::isnan(c.x)});
+  }
+  return all;
+}
+
+Finding emissionIsSeen(CheckRun& run) {
+  struct Case {
+    const char* what;
+    PathRay ray;
+    bool meets;
+    Colour expected;
+  };
+  const Colour emission(3, 2, 1);
+  const Ray front{{0.3f, 0.2f, 2}, {0, 0, -1}}, back{{0.3f, 0.2f, -2}, {0, 0, 1}},
+      past{{5, 0, 2}, {0, 0, -1}};
+  const std::vector<Case> cases{
+      {"the front of a light, maxBounces() = 0", {front, 0}, true, emission},
+      {"the back of a light, maxBounces() = 0", {back, 0}, true, Colour(0.0f)},
+      {"a ray that meets nothing, maxBounces() = 0", {past, 0}, false, Colour(0.0f)},
+      {"the front of a light, maxBounces() = 8", {front, 8}, true, emission},
+      {"the back of a light, maxBounces() = 8", {back, 8}, true, Colour(0.0f)},
+      {"a ray that meets nothing, maxBounces() = 8", {past, 8}, false, Colour(0.0f)},
+  };
+  SceneBuilder builder;
+  builder.parallelogram({.kd = Colour(0.5f), .emission = emission}, {-1, -1, 0}, {2, 0, 0},
+                        {0, 2, 0});
+  run.worker.loadScene(builder.flat());
+  Exact exact{"what the first hit emits is lost", "emission is counted twice",
+              "emission is multiplied by the reflectance",
+              "direct light is assigned (=) where it must be added (+=)", "the back emits too"};
+  std::vector<PathRay> rays;
+  for (const Case& c : cases) rays.push_back(c.ray);
+  const std::vector<Traced> traced = traceOnce(run, rays);
+  exact.count(rays.size());
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Case& c = cases[k];
+    const auto where = [&] {
+      return fmt::format("{}; the light emits {} and is alone", c.what, text(emission));
+    };
+    if (!exact.holds(
+            traced[k].valid, fmt::format("the radiance {}", text(c.expected)),
+            [] { return "a value that is not finite, or negative"; }, where))
+      continue;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double expected = double{c.expected[channel]};
+      exact.value(fmt::format("radiance, {}", kChannels[channel]), traced[k].radiance[channel],
+                  expected, 0x1p-22 * expected, where,
+                  {0.0, 2.0 * expected, 0.5 * expected, c.ray.bounces == 0 ? expected : 0.0,
+                   c.meets ? double{emission[channel]} : 0.0});
+    }
+  }
+  return exact.finding();
+}
+
+// Furnaces with all that can happen to a path: no samples, grazing directions, many bounces.
+Finding radianceIsValid(CheckRun& run) {
+  Random random(run.seed);
+  Exact exact;
+  for (const int bounces : {1, 2, 3, 8, 64}) {
+    const Hollow hollow(random);
+    SceneBuilder builder;
+    builder.sphere(lopsidedWall(Colour(0.5f), Colour(1.0f)), hollow.centre, hollow.radius, true);
+    run.worker.loadScene(builder.flat());
+    std::vector<PathRay> rays;
+    for (int k = 0; k < 200; ++k)
+      rays.push_back({hollow.rayAt(random.between(0.02, 1.0), random), bounces});
+    const std::vector<Traced> traced = traceOnce(run, rays);
+    exact.count(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k)
+      exact.holds(
+          traced[k].valid, "a radiance: finite, and at least 0",
+          [] { return "NaN, infinity or a negative number"; },
+          [&] {
+            return fmt::format(
+                "maxBounces() = {}, and reflection says \"no sample\" (density 0) for an eighth of "
+                "its samples; {}",
+                bounces, inWords(rays[k].ray));
+          });
+  }
+  Finding finding = exact.finding();
+  if (finding.status == Status::kFail)
+    finding.cause =
+        "a division by the density 0: there is no direction then, and the path has to end";
+  return finding;
+}
+
+Finding sameNumbersSameRadiance(CheckRun& run) {
+  Random random(run.seed);
+  const Hollow hollow(random);
+  SceneBuilder builder;
+  builder.sphere(lopsidedWall(Colour(0.5f), Colour(1.0f)), hollow.centre, hollow.radius, true);
+  run.worker.loadScene(builder.flat());
+  std::vector<PathRay> rays;
+  for (int k = 0; k < 64; ++k) rays.push_back({hollow.rayAt(random.between(0.1, 1.0), random), 8});
+  const std::vector<Traced> first = traceOnce(run, rays, 1), other = traceOnce(run, rays, 2),
+                            again = traceOnce(run, rays, 1);
+  Exact exact;
+  exact.count(3 * rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    exact.holds(
+        first[k].radiance == again[k].radiance || !first[k].valid,
+        "the same radiance from the same random numbers",
+        [&] {
+          return fmt::format("{}, and later {}", text(first[k].radiance), text(again[k].radiance));
+        },
+        [&] {
+          return fmt::format(
+              "{}, twice, with other paths in between: tracePath may draw its numbers from the "
+              "sampler only, and must keep nothing from one call to the next",
+              inWords(rays[k].ray));
+        });
+  (void)other;
+  return exact.finding();
+}
+
+Finding twiceTheEmission(CheckRun& run) {
+  Random random(run.seed);
+  const Hollow hollow(random);
+  const Colour emission(0.5f, 1.0f, 40.0f);
+  std::vector<PathRay> rays;
+  for (int k = 0; k < 400; ++k) rays.push_back({hollow.rayAt(random.between(0.1, 1.0), random), 6});
+  std::vector<Traced> traced[2];
+  for (const int times : {1, 2}) {
+    SceneBuilder builder;
+    builder.sphere(lopsidedWall(Colour(0.75f, 0.5f, 0.25f), static_cast<float>(times) * emission),
+                   hollow.centre, hollow.radius, true);
+    run.worker.loadScene(builder.flat());
+    traced[times - 1] = traceOnce(run, rays);
+  }
+  Exact exact;
+  exact.count(2 * rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const Colour once = traced[0][k].radiance, twice = traced[1][k].radiance;
+    exact.holds(
+        twice == 2.0f * once || !traced[0][k].valid,
+        fmt::format("radiance = {}, twice that before", text(2.0f * once)),
+        [&] { return fmt::format("radiance = {}", text(twice)); },
+        [&] {
+          return fmt::format(
+              "{}, once and again with the same random numbers, but twice the emission",
+              inWords(rays[k].ray));
+        });
+  }
+  Finding finding = exact.finding();
+  if (finding.status == Status::kFail)
+    finding.cause = "radiance is clamped, or something is added that does not come from a light";
+  return finding;
+}
+
+// Errors that are found: of the radiance of one ray in one channel, and of all of them together.
+struct Deltas {
+  double one = 0.02, all = 0.005;
+};
+
+// Where the question is which way a path goes, or what the roulette was asked.
+constexpr Deltas kCoarse{0.05, 0.01};
+
+void addMeans(std::vector<Mean>& means, const std::string& what, const glm::dvec3& radiance) {
+  for (int c = 0; c < 3; ++c)
+    means.push_back({.what = fmt::format("{}, {}", what, kChannels[c]),
+                     .expected = radiance[c],
+                     .scale = radiance[c]});
+}
+
+// The mean of all values, each over what it must be.
+double meanRatio(std::span<const double> values, const std::vector<Mean>& means) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) sum += values[k] / means[k].expected;
+  return sum / static_cast<double>(values.size());
+}
+
+// `means`: three channels of each ray. Judged are these, and their mean ratio to what they must be,
+// which has the least noise.
+Finding judgePaths(CheckRun& run, const std::vector<PathRay>& rays, std::uint32_t paths,
+                   const std::vector<Mean>& means, const Deltas& deltas, const std::string& where,
+                   std::vector<Suspicion> suspicions = {}) {
+  PathEstimates estimates(run, rays, paths);
+  std::vector<Mean> all = means;
+  for (Mean& mean : all) mean.delta = deltas.one;
+  all.push_back({.what = "radiance / what it must be, mean over all rays",
+                 .expected = 1.0,
+                 .delta = deltas.all});
+  for (Suspicion& s : suspicions) s.means.push_back(meanRatio(s.means, means));
+  const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
+    std::vector<double> single(count * means.size());
+    estimates.measure(first, count, single);
+    for (std::size_t r = 0; r < count; ++r) {
+      const auto of = std::span(single).subspan(r * means.size(), means.size());
+      std::copy(of.begin(), of.end(), values.begin() + static_cast<std::ptrdiff_t>(r * all.size()));
+      values[r * all.size() + means.size()] = meanRatio(of, means);
+    }
+  };
+  Finding finding = judgeMeans(run, all, measure, where, suspicions);
+  finding.calls = estimates.paths();
+  return finding;
+}
+
+Finding lopsidedFurnace(CheckRun& run) {
+  Random random(run.seed);
+  const Hollow hollow(random);
+  const Colour kd(0.3f, 0.2f, 0.1f), emission(1.0f, 0.5f, 2.0f);
+  SceneBuilder builder;
+  builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true);
+  run.worker.loadScene(builder.flat());
+  std::vector<PathRay> rays;
+  std::vector<Mean> means;
+  std::vector<Suspicion> suspicions;
+  for (const FurnaceMistake& mistake : furnaceMistakes()) suspicions.push_back({mistake.words, {}});
+  for (const int bounces : {1, 2, 3, 8})
+    for (const double cosine : {0.9, 0.3}) {
+      rays.push_back({hollow.rayAt(cosine, random), bounces});
+      glm::dvec3 radiance;
+      for (int c = 0; c < 3; ++c) {
+        const LopsidedFurnace furnace{double{emission[c]}, double{kd[c]}};
+        radiance[c] = furnace.radiance(cosine, bounces);
+        for (std::size_t k = 0; k < suspicions.size(); ++k)
+          suspicions[k].means.push_back(furnaceMistakes()[k].radiance(furnace, cosine, bounces));
+      }
+      addMeans(means,
+               fmt::format("radiance where cos(wo) = {}, maxBounces() = {}", cosine, bounces),
+               radiance);
+    }
+  return judgePaths(
+      run, rays, 512, means, {},
+      fmt::format("inside a sphere that emits {} everywhere; a surface for testing, with a BRDF "
+                  "that depends on wo and wi, and a roulette that ends 7 paths of 10",
+                  text(emission)),
+      suspicions);
+}
+
+Finding furnaceWithSphere(CheckRun& run) {
+  Random random(run.seed);
+  const float inner = static_cast<float>(random.between(0.5, 1.0)),
+              outer = inner * static_cast<float>(random.between(2.0, 4.0));
+  const Colour emission(1.0f, 0.5f, 2.0f);
+  const Point centre(random.direction());
+  SceneBuilder builder;
+  const Surface wall{.kd = Colour(0.25f), .emission = emission};
+  builder.sphere(wall, centre, outer, true).sphere(wall, centre, inner);
+  run.worker.loadScene(builder.flat());
+  std::vector<PathRay> rays;
+  std::vector<Mean> means;
+  for (const int bounces : {1, 3})
+    for (const bool ball : {true, false}) {
+      const Vector towards = random.direction();
+      // Past the inner sphere's middle, or its limb, by this share of its radius.
+      const double past = ball ? 0.7 : 1.4;
+      const Point eye = centre + 0.5f * (inner + outer) * towards;
+      const Vector side = atCosine(towards, 0.0, random.between(0.0, kTwoPi));
+      const glm::dvec3 target = glm::dvec3(centre) + past * double{inner} * glm::dvec3(side);
+      rays.push_back({{eye, Vector(glm::normalize(target - glm::dvec3(eye)))}, bounces});
+      addMeans(means,
+               fmt::format("radiance from the {}, maxBounces() = {}",
+                           ball ? "inner sphere" : "wall", bounces),
+               (4.0 - std::ldexp(1.0, -2 * bounces)) / 3.0 * glm::dvec3(emission));
+    }
+  return judgePaths(run, rays, 512, means, {},
+                    fmt::format("between two spheres of radius {:.4g} and {:.4g} that emit {} and "
+                                "reflect a quarter",
+                                inner, outer, text(emission)));
+}
+
+Finding mattRoom(CheckRun& run) {
+  const MattRoom room(run.seed);
+  run.worker.loadScene(room.scene().flat());
+  Random random(run.seed + 1);
+  std::vector<PathRay> rays;
+  std::vector<Mean> means;
+  for (int wall = 0; wall < MattRoom::kWalls; ++wall) {
+    const glm::dvec3 eye(random.between(1.2, 1.8), random.between(0.8, 1.4),
+                         random.between(1.0, 1.6));
+    const glm::dvec3 target =
+        room.point(wall, random.between(0.25, 0.75), random.between(0.25, 0.75));
+    rays.push_back({{Point(eye), Vector(glm::normalize(target - eye))}, 2});
+    addMeans(means, fmt::format("radiance from wall {}", wall + 1), room.radiance(wall, target, 2));
+  }
+  return judgePaths(run, rays, 256, means, kCoarse,
+                    "a closed room of six walls with different emissions and reflectances, "
+                    "maxBounces() = 2");
+}
+
+Finding unfairRoulette(CheckRun& run) {
+  Random random(run.seed);
+  const Hollow hollow(random);
+  const Colour kd(0.4f, 0.3f, 0.0f), emission(1.0f, 0.5f, 2.0f);
+  SceneBuilder builder;
+  builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true);
+  run.worker.loadScene(builder.flat());
+  std::vector<PathRay> rays;
+  std::vector<Mean> means;
+  std::vector<Suspicion> suspicions{
+      {"RussianRoulette is not asked, or its answer is not used", {}},
+      {"depth counts from 0: it is the number of scattering events so far, 1 at hit 1", {}},
+      {"depth is one too large: it is the number of scattering events so far, 1 at hit 1", {}},
+      {"the roulette is shown the throughput from before its update", {}},
+  };
+  for (const int bounces : {2, 3}) {
+    rays.push_back({hollow.rayAt(0.8, random), bounces});
+    glm::dvec3 radiance;
+    for (int c = 0; c < 3; ++c) {
+      const LopsidedFurnace furnace{double{emission[c]}, double{kd[c]}};
+      const auto unfair = [&](int first, bool updated) {
+        return unfairRadiance(furnace, 0.8, bounces, first, updated);
+      };
+      radiance[c] = unfair(1, true);
+      suspicions[0].means.push_back(furnace.radiance(0.8, bounces));
+      suspicions[1].means.push_back(unfair(0, true));
+      suspicions[2].means.push_back(unfair(2, true));
+      suspicions[3].means.push_back(unfair(1, false));
+    }
+    addMeans(means, fmt::format("radiance, maxBounces() = {}", bounces), radiance);
+  }
+  return judgePaths(run, rays, 256, means, kCoarse,
+                    "inside a sphere that emits everywhere, with a roulette for testing: where the "
+                    "throughput's blue is 0, as after every update here, its weight is not 1/q but "
+                    "(1 + 1/(1 + depth)) / q",
+                    suspicions);
+}
+
+}  // namespace
+
+std::span<const Check> part5Checks() {
+  static const std::vector<Check> kChecks{
+      {"emission", F::kTracePath,
+       "of a light that is seen directly comes what its front emits, counted once; its back and "
+       "the "
+       "world around are black",
+       0.0, emissionIsSeen},
+      {"valid", F::kTracePath,
+       "the radiance is finite and not negative, also where reflection says \"no sample\"", 0.0,
+       radianceIsValid},
+      {"repeatable", F::kTracePath,
+       "the same random numbers give the same radiance, whatever was traced before", 0.0,
+       sameNumbersSameRadiance},
+      {"twice-the-emission", F::kTracePath,
+       "with the same random numbers, twice the emission gives twice the radiance, bit for bit",
+       0.0, twiceTheEmission},
+      {"furnace", F::kTracePath,
+       "inside a sphere the mean radiance is E + integral of f L cos(theta), for each number of "
+       "bounces",
+       Deltas{}.all, lopsidedFurnace},
+      {"furnace-with-sphere", F::kTracePath,
+       "where all surfaces emit E and reflect a quarter, the mean radiance is E (4 - 4^-B) / 3",
+       Deltas{}.all, furnaceWithSphere},
+      {"room", F::kTracePath,
+       "in a room of unequal walls the mean radiance is that of the light which arrives where the "
+       "path is",
+       kCoarse.all, mattRoom},
+      {"roulette", F::kTracePath,
+       "RussianRoulette is asked after each update of the throughput, with the updated throughput "
+       "and the number of scattering events so far, and what it says is done",
+       kCoarse.all, unfairRoulette},
+  };
+  return kChecks;
+}
 
 }  // namespace pathmark::checks

@@ -1,13 +1,14 @@
-// Stands in for part 6 where the path tracer is checked: it ends so many paths that a weight that
-// is lost or counted twice shows at once.
+// Stands in for part 6 where the path tracer is checked: the roulette of unfair_roulette.h.
+#include "checks/standins/unfair_roulette.h"
+
 #include <pathmark/coursework.h>
 
 namespace pathmark {
 
-Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
-  constexpr float kSurvival = 0.3f;
-  if (throughput == Colour(0.0f) || u >= kSurvival) return {false, 0.0f};
-  return {true, 1.0f / kSurvival};
+Roulette LitScene::RussianRoulette(const Colour& throughput, int depth, float u) const {
+  if (throughput == Colour(0.0f) || u >= unfair::kSurvival) return {false, 0.0f};
+  const float factor = throughput.b == 0.0f ? static_cast<float>(unfair::factor(depth)) : 1.0f;
+  return {true, factor / unfair::kSurvival};
 }
 
 }  // namespace pathmark

@@ -1,0 +1,40 @@
+// LopsidedFurnace: the inside of a sphere that emits everywhere, and reflects by the BRDF of
+// standins/lopsided.h.
+//
+// A ray that leaves the wall at some cosine to the normal meets it again at the same cosine, so
+// that the radiance depends on that cosine and the number of bounces only:
+//
+//   L_B(c) = E + integral of f(c, c') c' L_(B-1)(c') over the directions,    L_0 = E
+//
+// The integrals are those of polynomials in c'. What a path tracer with some mistake gives instead
+// is the same sum with one of its operators exchanged.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pathmark::checks {
+
+struct LopsidedFurnace {
+  double emission = 1.0, kd = 0.5;  // of one channel
+
+  double radiance(double cosine, int bounces) const;
+};
+
+// A mistake in tracePath with what it makes of the furnace.
+struct FurnaceMistake {
+  std::string words;
+  std::function<double(const LopsidedFurnace&, double cosine, int bounces)> radiance;
+};
+
+const std::vector<FurnaceMistake>& furnaceMistakes();
+
+// The same furnace with a channel that reflects nothing: there the stand-in for the roulette gives
+// another weight at each depth (standins/unfair_roulette.h). `first` is the depth it is told at
+// hit 1; `updated`: whether it is shown the throughput after its update.
+double unfairRadiance(const LopsidedFurnace& furnace, double cosine, int bounces, int first = 1,
+                      bool updated = true);
+
+}  // namespace pathmark::checks
