@@ -49,14 +49,7 @@ bool Exact::value(std::string_view what, double got, double expected, double all
 }
 
 bool Exact::holds(bool condition, std::string_view expected,
-                  const std::function<std::string()>& got, const Where& where,
-                  std::initializer_list<bool> alternatives) {
-  std::size_t k = 0;
-  for (const bool alternative : alternatives) {
-    Suspect& suspect = suspects_.at(k++);
-    if (alternative != condition) suspect.possible = false;
-    if (!alternative) suspect.differs = true;
-  }
+                  const std::function<std::string()>& got, const Where& where) {
   if (condition) return true;
   if (!failed_) {
     first_.status = Status::kFail;

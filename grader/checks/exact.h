@@ -30,9 +30,23 @@ class Exact {
   bool value(std::string_view what, double got, double expected, double allowed, const Where& where,
              std::initializer_list<double> alternatives = {});
 
-  // A statement that holds or does not. `alternatives`: whether it would hold of the suspects.
+  // A statement that holds or does not.
   bool holds(bool condition, std::string_view expected, const std::function<std::string()>& got,
-             const Where& where, std::initializer_list<bool> alternatives = {});
+             const Where& where);
+
+  // An answer that is right or wrong as a whole, and how to put it. `alternatives`: the suspects'.
+  template <typename T>
+  bool answer(const T& got, const T& expected, std::string_view expectedText,
+              const std::function<std::string()>& gotText, const Where& where,
+              std::initializer_list<T> alternatives = {}) {
+    std::size_t k = 0;
+    for (const T& alternative : alternatives) {
+      Suspect& suspect = suspects_.at(k++);
+      if (!(alternative == got)) suspect.possible = false;
+      if (!(alternative == expected)) suspect.differs = true;
+    }
+    return holds(got == expected, expectedText, gotText, where);
+  }
 
   // Unit length, to 8 roundings.
   bool unit(std::string_view what, const vec3& direction, const Where& where);

@@ -87,16 +87,15 @@ Finding hitsAreFound(CheckRun& run) {
     const double t = results.number(i, 1);
     const bool parallelogram =
         m.b1 >= 0.0 && m.b1 <= 1.0 && m.b2 >= 0.0 && m.b2 <= 1.0 && m.t > 0.0;
-    exact.holds(
-        hit == expected,
+    exact.answer(
+        hit, expected,
         expected     ? fmt::format("a hit at t = {:.6g}", m.t)
         : m.inside() ? "no hit: the triangle lies behind the origin"
                      : fmt::format("no hit: b1 = {:.3g}, b2 = {:.3g}", m.b1, m.b2),
         [&] { return hit ? fmt::format("a hit at t = {:.6g}", t) : "no hit"; },
         [&] { return where(i); },
-        {m.inside() == expected, parallelogram == expected,
-         (expected && m.determinant > 0.0) == expected,
-         (expected && m.determinant < 0.0) == expected});
+        {m.inside(), parallelogram, expected && m.determinant > 0.0,
+         expected && m.determinant < 0.0});
     falseHits |= hit && !expected;
     if (!expected) continue;
     for (Threshold* threshold : {&determinants, &distances}) {
@@ -173,7 +172,7 @@ struct Soup {
   }
 };
 
-constexpr int kNone = -1;
+constexpr int kNone = -1, kUnknown = -2;
 
 // What a ray meets, in the order in which the triangles stand in the mesh.
 struct Encounters {
@@ -208,7 +207,7 @@ int indexOf(const Results& results, std::size_t call, const std::vector<Words>& 
       same = same && results.word(call, 2 + w) == words[w];
     if (same) return static_cast<int>(k);
   }
-  return kNone;
+  return kUnknown;
 }
 
 struct MeshQuestion {
@@ -238,15 +237,13 @@ void askMesh(CheckRun& run, const MeshQuestion& question, Exact& exact) {
     const double t = results.number(i, 1);
     const int got = hit ? indexOf(results, i, question.words) : kNone;
     const auto describe = [](int k, double distance) {
-      return k == kNone
+      return k == kUnknown
                  ? fmt::format("t = {:.6g}, with a triangle that is not in the mesh", distance)
                  : fmt::format("triangle {} (counted from 0) at t = {:.6g}", k, distance);
     };
-    exact.holds(hit == expected && got == e.nearest,
-                expected ? describe(e.nearest, e.t(e.nearest)) : "no hit",
-                [&] { return hit ? describe(got, t) : "no hit"; }, where,
-                {e.last == e.nearest, e.first == e.nearest, e.first == e.nearest,
-                 e.farthest == e.nearest, !expected});
+    exact.answer(got, e.nearest, expected ? describe(e.nearest, e.t(e.nearest)) : "no hit",
+                 [&] { return hit ? describe(got, t) : "no hit"; }, where,
+                 {e.last, e.first, e.first, e.farthest, kNone});
     if (hit && expected)
       exact.value("t", t, e.t(e.nearest), e.meetings[static_cast<std::size_t>(e.nearest)].tError,
                   where,

@@ -63,13 +63,11 @@ Finding seedIsHashed(CheckRun& run) {
   exact.count(results.count());
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const uvec2 expected = pcg2d(inputs[i]), got(results.word(i, 2), results.word(i, 3));
-    exact.holds(
-        got == expected, "new seed " + hex(expected), [&] { return "new seed " + hex(got); },
+    exact.answer(
+        got, expected, "new seed " + hex(expected), [&] { return "new seed " + hex(got); },
         [&] { return "seed " + hex(inputs[i]); },
-        {inputs[i] == expected, hashWith(Slip::kOldX, inputs[i]) == expected,
-         hashWith(Slip::kNoXor, inputs[i]) == expected,
-         hashWith(Slip::kOneRound, inputs[i]) == expected,
-         hashWith(Slip::kNoIncrement, inputs[i]) == expected});
+        {inputs[i], hashWith(Slip::kOldX, inputs[i]), hashWith(Slip::kNoXor, inputs[i]),
+         hashWith(Slip::kOneRound, inputs[i]), hashWith(Slip::kNoIncrement, inputs[i])});
   }
   return exact.finding();
 }
@@ -101,9 +99,9 @@ Finding numbersAreTheHighBits(CheckRun& run) {
       const double got = results.number(i, c);
       const std::uint32_t word = results.word(i, 2 + (swapped ? 1 - c : c));
       const bool roundedUp = static_cast<float>(word) * 0x1p-32f >= 1.0f;
-      exact.holds(got >= 0.0 && got < 1.0, "numbers of at least 0 and below 1",
-                  [&] { return fmt::format("number {} = {:.9g}", c + 1, got); }, where,
-                  {!roundedUp});
+      exact.answer(got >= 0.0 && got < 1.0, true, "numbers of at least 0 and below 1",
+                   [&] { return fmt::format("number {} = {:.9g}", c + 1, got); }, where,
+                   {!roundedUp});
       exact.value(fmt::format("number {}", c + 1), got, word * 0x1p-32, kAllowed, where,
                   {word * 0x1p-32});
     }
@@ -314,24 +312,24 @@ std::vector<Check> part0SamplingChecks() {
       {"numbers", F::kGetRandomNumbers,
        "the two numbers are the new seed divided by 2^32, to float precision, and never 1", 0.0,
        numbersAreTheHighBits},
+      {"uniform", F::kSampleSphere, "the directions are uniform on the sphere", 0.01,
+       sphereIsUniform},
       {"valid", F::kSampleSphere,
        "for all u, also at the ends, the direction is a unit vector, and the same again for the "
        "same u",
        0.0, sphereIsValid},
-      {"uniform", F::kSampleSphere, "the directions are uniform on the sphere", 0.01,
-       sphereIsUniform},
+      {"uniform",
+       F::kSampleHemisphere,
+       "the directions are uniform on the hemisphere around the normal",
+       0.01,
+       hemisphereIsUniform,
+       {F::kSampleSphere}},
       {"valid",
        F::kSampleHemisphere,
        "for all u, also at the ends, the direction is a unit vector on the side of the normal, and "
        "the same again for the same u",
        0.0,
        hemisphereIsValid,
-       {F::kSampleSphere}},
-      {"uniform",
-       F::kSampleHemisphere,
-       "the directions are uniform on the hemisphere around the normal",
-       0.01,
-       hemisphereIsUniform,
        {F::kSampleSphere}},
   };
 }

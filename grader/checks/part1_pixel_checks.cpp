@@ -202,8 +202,10 @@ std::vector<PixelQuestion> strataQuestions(std::uint64_t seed) {
   return questions;
 }
 
-// Kept is the first pixel that is wrong. Rays of a pixel come from the student's
-// StratifiedRandomRay, which has been found right.
+// The one that a ray goes through; kSwapped: that in column j and row i.
+enum class Pixel { kRight, kSwapped, kOther };
+
+// The rays come from the coursework's StratifiedRandomRay, which has been found right.
 Finding strataAreHit(CheckRun& run) {
   Exact exact{"i and j are swapped: i is the column, j is the row"};
   for (const PixelQuestion& question : strataQuestions(run.seed)) {
@@ -214,18 +216,19 @@ Finding strataAreHit(CheckRun& run) {
     std::vector<glm::dvec2> places;
     for (const RecordedRay& ray : pixel.rays) {
       const glm::dvec2 place = places.emplace_back(question.placeOf(ray));
-      const bool inside = isInPixel(place, tolerance);
-      // Under the suspicion it would be inside the pixel in column j and row i.
-      const bool insideSwapped = isInPixel(place - swap, 100.0 * tolerance);
-      exact.holds(
-          inside,
-          fmt::format("a film point of the pixel, {} <= x <= {}, {} <= y <= {}", question.i,
+      const Pixel pixelHit = isInPixel(place, tolerance)          ? Pixel::kRight
+                             : isInPixel(place - swap, tolerance) ? Pixel::kSwapped
+                                                                  : Pixel::kOther;
+      exact.answer(
+          pixelHit, Pixel::kRight,
+          fmt::format("a film point of the pixel: x from {} to {}, y from {} to {}", question.i,
                       question.i + 1, question.j, question.j + 1),
           [&] {
             return fmt::format("x = {:.6g}, y = {:.6g}", place.x + question.i,
                                place.y + question.j);
           },
-          [&] { return question.text(); }, {insideSwapped ? inside : !inside});
+          [&] { return question.text(); },
+          {question.i == question.j ? Pixel::kRight : Pixel::kSwapped});
     }
     const bool allInside = std::ranges::all_of(
         places, [&](const glm::dvec2& place) { return isInPixel(place, tolerance); });
@@ -233,8 +236,8 @@ Finding strataAreHit(CheckRun& run) {
     const int n = strataPerSide(question.rays);
     StrataMatching matching(places, n, tolerance);
     const auto empty = matching.emptyStratum();
-    exact.holds(
-        !empty, fmt::format("a ray of its own in each of the {0} x {0} strata", n),
+    exact.answer(
+        !empty, true, fmt::format("a ray of its own in each of the {0} x {0} strata", n),
         [&] {
           return fmt::format("no ray for the stratum k = {}, l = {}",
                              *empty % static_cast<std::size_t>(n),
@@ -309,6 +312,21 @@ Finding raysAreSpreadEvenly(CheckRun& run) {
                        "stratum",
                        column, row, kSide, kSide),
            1.0 / (kSide * kSide)});
+  // Means over the pixel where the remaining rays are uniform in [0,x] x [0,y].
+  const auto remainingIn = [&](double x, double y) {
+    const double share = 1.0 - double{kStrata * kStrata} / kRays;
+    const double of[] = {0.5 * x, 0.5 * y, x * x / 3.0, y * y / 3.0, 0.25 * x * y};
+    std::vector<double> result;
+    for (const Mean& mean : means) result.push_back(mean.expected);
+    for (std::size_t k = 0; k < 5; ++k) result[5 + k] += share * (of[k] - result[5 + k]);
+    return result;
+  };
+  constexpr const char* kInStrata =
+      "the remaining rays go through the first strata once more, and not anywhere in the pixel";
+  constexpr double kFew = 2.0 / kStrata, kOne = 1.0 / kStrata;
+  const std::vector<Suspicion> suspicions{{kInStrata, remainingIn(1.0, kFew)},
+                                          {kInStrata, remainingIn(kFew, 1.0)},
+                                          {kInStrata, remainingIn(kOne, kOne)}};
   std::uint64_t calls = 0;
   const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
     for (std::uint32_t r = 0; r < count; ++r) {
@@ -337,7 +355,8 @@ Finding raysAreSpreadEvenly(CheckRun& run) {
     }
   };
   Finding finding = judgeMeans(
-      run, means, measure, fmt::format("{} rays, {} of them in strata", kRays, kStrata * kStrata));
+      run, means, measure, fmt::format("{} rays, {} of them in strata", kRays, kStrata * kStrata),
+      suspicions);
   finding.calls = calls;
   return finding;
 }
