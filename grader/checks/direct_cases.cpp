@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace pathmark::checks {
 
@@ -35,7 +37,9 @@ std::vector<Estimate> estimate(CheckRun& run, const LitRoom& room, std::uint64_t
 
 struct Suspect {
   const char* mistake;
-  Kernel kernel;  // per unit area, as LightTerms says
+  Kernel kernel;           // per unit area, as LightTerms says
+  int albedos = 1;         // how often Kd is a factor
+  bool ofScreens = false;  // says something only where screens are
 };
 
 double over(const LightTerms& t) { return 1.0 / (t.distance * t.distance); }
@@ -62,13 +66,19 @@ constexpr Suspect kSuspects[] = {
      [](const LightTerms& t) { return rightKernel(t) * t.cosY / t.cosX; }},
     {"wo and wi are exchanged in the call of brdf",
      [](const LightTerms& t) { return rightKernel(t) * t.exchanged / t.brdf; }},
-    {"a factor pi too many", [](const LightTerms& t) { return rightKernel(t) * 3.14159265358979; }},
+    {"wi is not made a unit vector",
+     [](const LightTerms& t) { return rightKernel(t) / over(t) * t.stretched / t.brdf; }},
+    {"the BRDF is missing",
+     [](const LightTerms& t) { return rightKernel(t) / t.brdf * std::numbers::pi; }, 0},
+    {"Kd is multiplied with twice: it is in the BRDF", rightKernel, 2},
+    {"a factor pi too many", [](const LightTerms& t) { return rightKernel(t) * std::numbers::pi; }},
     {"whether something lies between is not asked",
      [](const LightTerms& t) { return t.brdf * t.cosX * t.cosY / (t.distance * t.distance); }},
     {"the visibility test is the wrong way round: what is hidden shines",
      [](const LightTerms& t) {
        return t.open ? 0.0 : t.brdf * t.cosX * t.cosY / (t.distance * t.distance);
-     }},
+     },
+     1, true},
     {"points are drawn again until one is visible: hidden ones must count, with 0",
      [](const LightTerms& t) { return t.openShare > 0.0 ? rightKernel(t) / t.openShare : 0.0; }},
     {"the sum over the lights is divided by their number, or the probability of choosing one is "
@@ -115,28 +125,32 @@ Match compare(const glm::dvec3& suspected, const DirectCase& c, const Measured& 
   return differs ? Match::kYes : Match::kLikeRight;
 }
 
+glm::dvec3 suspectedRadiance(const Suspect& suspect, const DirectCase& c) {
+  const glm::dvec3 radiance = radianceBy(suspect.kernel, c.room), kd(kReceiverKd);
+  return suspect.albedos == 0 ? radiance / kd : suspect.albedos == 2 ? radiance * kd : radiance;
+}
+
 // The one mistake that explains all cases, some of them by being wrong.
 std::string causeOf(CheckRun& run, const std::vector<DirectCase>& cases) {
-  constexpr std::size_t kCount = std::size(kSuspects);
-  constexpr std::size_t kAlbedo = kCount;  // does not fit in a kernel: Kd once more
-  std::array<Match, kCount + 1> matches;
-  matches.fill(Match::kLikeRight);
+  const bool screens = std::any_of(cases.begin(), cases.end(),
+                                   [](const DirectCase& c) { return !c.room.screens.empty(); });
+  std::array<Match, std::size(kSuspects)> matches;
+  for (std::size_t k = 0; k < matches.size(); ++k)
+    matches[k] = kSuspects[k].ofScreens && !screens ? Match::kNo : Match::kLikeRight;
   for (const DirectCase& c : cases) {
     if (!c.comparable) continue;
     const Measured measured = measureOnce(run, c);
-    for (std::size_t k = 0; k <= kCount; ++k) {
+    for (std::size_t k = 0; k < matches.size(); ++k) {
       if (matches[k] == Match::kNo) continue;
-      const glm::dvec3 suspected = k == kAlbedo ? c.expected * glm::dvec3(kReceiverKd)
-                                                : radianceBy(kSuspects[k].kernel, c.room);
-      const Match match = compare(suspected, c, measured);
+      const Match match = compare(suspectedRadiance(kSuspects[k], c), c, measured);
       if (match != Match::kLikeRight) matches[k] = match;
     }
   }
   std::string cause;
-  for (std::size_t k = 0; k <= kCount; ++k) {
+  for (std::size_t k = 0; k < matches.size(); ++k) {
     if (matches[k] != Match::kYes) continue;
     if (!cause.empty()) return {};
-    cause = k == kAlbedo ? "Kd is multiplied with twice: it is in the BRDF" : kSuspects[k].mistake;
+    cause = kSuspects[k].mistake;
   }
   return cause;
 }

@@ -16,11 +16,11 @@ struct DirectCase {
   // Whether the known mistakes can be computed: by quadrature over lights wholly above the horizon.
   bool comparable = true;
 
-  std::uint32_t rays = 64;  // of a replicate
+  std::uint32_t rays = 128;  // of a replicate
 };
 
 // Expected by quadrature.
-DirectCase caseOf(const LitRoom& room, std::uint32_t rays = 64);
+DirectCase caseOf(const LitRoom& room, std::uint32_t rays = 128);
 
 // The first case that is wrong, with the mistake that explains what is seen in all of them.
 Finding judgeCases(CheckRun& run, const std::vector<DirectCase>& cases);

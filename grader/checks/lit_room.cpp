@@ -184,6 +184,7 @@ glm::dvec3 radianceBy(Kernel kernel, const LitRoom& room) {
       t.density = patch.density;
       t.brdf = room.receiver.lopsided ? lopsided::shape(cosO, t.cosX) : 1.0;
       t.exchanged = room.receiver.lopsided ? lopsided::shape(t.cosX, cosO) : 1.0;
+      t.stretched = room.receiver.lopsided ? lopsided::shape(cosO, t.cosX * t.distance) : 1.0;
       t.open = patch.open;
       t.openShare = light.open;
       t.light = k;

@@ -55,11 +55,13 @@ struct LitRoom {
 // At a point of a light that is seen from the receiver.
 struct LightTerms {
   double cosX, cosY, distance;
-  double density;          // of the contract's sample there, per unit area
-  double brdf, exchanged;  // f pi / Kd, and the same with wo and wi exchanged
-  bool open;               // not behind a screen
-  double openShare;        // of its light
-  std::size_t light;       // its number
+  double density;     // of the contract's sample there, per unit area
+  double brdf;        // f pi / Kd,
+  double exchanged;   // the same with wo and wi exchanged,
+  double stretched;   // and with a wi that is as long as the distance
+  bool open;          // not behind a screen
+  double openShare;   // of its light
+  std::size_t light;  // its number
   std::size_t lightCount;
 };
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace pathmark::checks {
@@ -113,8 +114,11 @@ Finding densityIsOneOverArea(CheckRun& run) {
   Exact exact{"the area of the parallelogram of the edges is twice that of the triangle",
               kPolygon ? "the density on one triangle, and not on the whole polygon"
                        : "half of the area: that of a triangle of these edges",
-              "the area itself, and not one over it", "always 1: the density is one over the area",
-              "the product of the lengths of the edges is the area only if the angle is right"};
+              "the area itself, and not one over it",
+              "always 1: the density is one over the area",
+              "the product of the lengths of the edges is the area only if the angle is right",
+              "triangles between p0 and each edge stick out of a polygon with a dent: triangle(k) "
+              "does not"};
   Random random(run.seed + 1);
   for (const Outline& outline : outlines<kFunction>(run.seed)) {
     Calls calls(kFunction, outline.words());
@@ -135,7 +139,7 @@ Finding densityIsOneOverArea(CheckRun& run) {
                                        points[i].y);
                   },
                   {0.5 * expected, kPolygon ? 1.0 / outline.areaOf(0) : 2.0 * expected,
-                   outline.area(), 1.0, 1.0 / edges});
+                   outline.area(), 1.0, 1.0 / edges, 1.0 / Outline(v).area()});
   }
   return exact.finding();
 }
@@ -202,15 +206,16 @@ std::vector<Suspicion> suspicionsAbout(const Outline& outline) {
 
 template <F kFunction>
 Finding judgeUniform(CheckRun& run, const Outline& outline, std::uint64_t seed) {
-  constexpr std::uint32_t kPoints = 64;
+  // Many small shares need many points, or few replicates have one too many or too few.
+  const std::uint32_t perReplicate = outline.triangleCount() > 4 ? 256 : 128;
   const std::vector<Mean> means = outline.uniformMeans();
-  Points points(seed, kPoints);
+  Points points(seed, perReplicate);
   std::uint64_t made = 0;
   const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
     Calls calls(kFunction, outline.words());
     for (std::uint32_t r = first; r < first + count; ++r) {
       points.start(r);
-      for (std::uint32_t m = 0; m < kPoints; ++m) {
+      for (std::uint32_t m = 0; m < perReplicate; ++m) {
         points.point(m);
         calls.add(points.pair());
       }
@@ -218,9 +223,13 @@ Finding judgeUniform(CheckRun& run, const Outline& outline, std::uint64_t seed) 
     const Results results = calls.run(run.worker);
     made += results.count();
     std::fill(values.begin(), values.end(), 0.0);
-    for (std::size_t i = 0; i < results.count(); ++i)
-      outline.add(results.vector(i, 0), 1.0 / kPoints,
-                  values.subspan(i / kPoints * means.size(), means.size()));
+    for (std::size_t i = 0; i < results.count(); ++i) {
+      const auto sums = values.subspan(i / perReplicate * means.size(), means.size());
+      if (results.finite(i))
+        outline.add(results.vector(i, 0), 1.0 / perReplicate, sums);
+      else
+        sums[0] = std::numeric_limits<double>::quiet_NaN();
+    }
   };
   Finding finding = judgeMeans(
       run, means, measure, outline.text(),
