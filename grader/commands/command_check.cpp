@@ -56,7 +56,7 @@ int checkOnce(const CheckArguments& arguments) {
   };
   const checks::CourseworkResults results = checks::runChecks(build, selection, options, events);
   progress.clear();
-  print(report::imageLines(results, style));
+  print(report::imageLines(results, style) + report::sceneLines(results, style));
   return results.anythingWrong() ? kCourseworkFault : kSuccess;
 }
 
@@ -69,7 +69,7 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
   command
       ->add_option("what", arguments->what,
                    "A part (3), a function (3.3 or lambertianBRDF::reflection), a check "
-                   "(3.3/samples), or images; all of them by default")
+                   "(3.3/samples), images, or 7 for your own scenes; all of them by default")
       ->type_name("PART|FUNCTION");
   command
       ->add_option("--with", arguments->with,

@@ -163,7 +163,8 @@ std::string next(const CourseworkResults& results, const std::filesystem::path& 
     if (!part.failure.empty())
       return fmt::format("mend {}, which {}", displayPath(folder / part.part.file), part.failure);
     for (const FunctionResult& f : part.functions)
-      if (f.status == Status::kFail || f.status == Status::kBroken) return fmt::format("mend {}", place(f));
+      if (f.status == Status::kFail || f.status == Status::kBroken)
+        return fmt::format("mend {}", place(f));
   }
   for (const PartResult& part : results.parts)
     for (const FunctionResult& f : part.functions)
@@ -181,6 +182,7 @@ std::string handoutOf(const PartContract& part) {
 std::string headline(const CourseworkResults& results, const std::filesystem::path& folder,
                      const Style& style) {
   const Counts counts = count(results);
+  if (counts.all == 0 && results.parts.empty()) return {};
   std::string text = fmt::format("{}: {} of {} functions are right", displayPath(folder),
                                  counts.right, counts.all);
   if (counts.wrong > 0) text += fmt::format(", {} wrong", counts.wrong);
@@ -216,6 +218,22 @@ std::string imageLines(const CourseworkResults& results, const Style& style) {
       text += fmt::format(": {}\n", r.check->statement);
     else
       text.append("\n").append(details(r, results.seed, style, "handouts/README.md"));
+  }
+  return text;
+}
+
+std::string sceneLines(const CourseworkResults& results, const Style& style) {
+  if (results.scenes.empty()) return {};
+  std::string text = "\nPart 7  Your own scenes\n";
+  for (const checks::SceneFinding& scene : results.scenes) {
+    text += fmt::format("  {} {}", statusColumn(scene.status, style), displayPath(scene.file));
+    if (scene.status == Status::kBlocked) {
+      text += fmt::format("  by {}\n", scene.message);
+      continue;
+    }
+    text += "\n";
+    addField(text, scene.status == Status::kNotWritten ? "to do" : "wrong", scene.message);
+    addField(text, "noise", scene.noise);
   }
   return text;
 }

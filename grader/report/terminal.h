@@ -3,6 +3,7 @@
 //   headline       what is right, and what to do next: the first lines
 //   functionLines  part by part, function by function, with what was found where something is wrong
 //   imageLines     the same of the pictures
+//   sceneLines     the coursework's own scenes
 #pragma once
 
 #include "checks/results.h"
@@ -21,6 +22,7 @@ std::string headline(const checks::CourseworkResults& results, const std::filesy
                      const Style& style);
 std::string functionLines(const checks::CourseworkResults& results, const Style& style);
 std::string imageLines(const checks::CourseworkResults& results, const Style& style);
+std::string sceneLines(const checks::CourseworkResults& results, const Style& style);
 
 // "handouts/part3_lambertian.md".
 std::string handoutOf(const PartContract& part);
