@@ -12,6 +12,7 @@
 
 #include "checks/check.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,10 @@ struct PlainImage {
 
 class ImageFeatures {
  public:
-  ImageFeatures(int width, int height);
+  // `like`: about the right image. Each pixel counts relative to its value there (or to a tenth of
+  // the channel's mean, where it is darker), so that the mean and the tiles of a right image are 1
+  // and dark parts of a picture count as much as the lamp in it.
+  explicit ImageFeatures(const PlainImage& like);
 
   // Of three channels each: feature k is of the channel k % 3. The first three are the means.
   std::size_t count() const { return 3 * features_.size(); }
@@ -41,24 +45,27 @@ class ImageFeatures {
   struct Feature {
     std::string name;
     bool tile;
-    std::vector<double> weights;  // of the pixels
+    std::vector<std::size_t> pixels;
+    std::vector<double> weights;  // three for each of the pixels
   };
 
   std::vector<Feature> features_;
 };
 
 struct FeatureTarget {
-  std::vector<double> expected, errors;  // errors: standard errors of `expected`, where measured
-  std::vector<double> sizes;             // what errors are relative to: features of the right image
+  std::vector<double> expected, errors;  // errors: standard errors of `expected`; empty: none
+  double delta = 0.02;                   // the smallest error of the mean that is found
 };
 
-// `replicates`: features of independent images of the same scene, at least 64. Fails where any
-// feature is wrong; is undecided where that cannot be said of the mean.
-Finding judgeFeatures(CheckRun& run, const ImageFeatures& features, const FeatureTarget& target,
-                      const std::vector<std::vector<double>>& replicates, const std::string& where);
+// Features of independent images of the scene, so many from number `first` on; fewer only where one
+// of them is no image.
+using MakeReplicates =
+    std::function<std::vector<std::vector<double>>(std::uint64_t first, std::uint64_t count)>;
 
-// The smallest errors that are found: of the mean, as the checks state it.
-inline constexpr double kDeltaOfImage = 0.005;
+// Looks at 256 of them, and at 768 if the mean is undecided. Fails where any feature is wrong; is
+// undecided where nothing can be said of the mean.
+Finding judgeFeatures(CheckRun& run, const ImageFeatures& features, const FeatureTarget& target,
+                      const MakeReplicates& make, const std::string& where);
 
 // Of a point at these shares of width and height, from the upper left.
 std::string placeInWords(double x, double y);

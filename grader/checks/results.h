@@ -2,6 +2,7 @@
 #pragma once
 
 #include "checks/check.h"
+#include "checks/scene_checks.h"
 
 #include <string>
 #include <vector>
@@ -28,8 +29,9 @@ struct PartResult {
 
 struct CourseworkResults {
   std::uint64_t seed = 0;
-  std::vector<PartResult> parts;    // those that were asked for
-  std::vector<CheckResult> images;  // of the whole coursework
+  std::vector<PartResult> parts;     // those that were asked for
+  std::vector<CheckResult> images;   // of the whole coursework
+  std::vector<SceneFinding> scenes;  // of part 7
   double seconds = 0.0;
   std::int64_t statistics = 0;  // that were judged; each of them could fail by chance
 

@@ -188,30 +188,57 @@ std::string blockingPart(const CourseworkResults& results) {
   return {};
 }
 
-void checkImages(CourseworkResults& results, const CourseworkBuild& build,
-                 const Selection& selection, const RunOptions& options, stats::ErrorBudget& budget,
-                 Progress& progress) {
-  const std::string blocker = blockingPart(results);
-  std::unique_ptr<Bench> bench;
+// The first function, or part, without which there is no picture.
+std::string missing(const CourseworkBuild& build, Bench* bench) {
+  for (const PartBuild& part : build.parts)
+    if (!part.compiled) return fmt::format("part {}, which does not compile", part.part.part);
+  if (bench == nullptr) return {};
+  const StubReport stubs = makeStubReport(bench->worker().stubs());
+  for (const FunctionContract& f : stubs.unwritten)
+    if (f.part != 0) return fmt::format("part {}: {} {}", f.part, f.section, f.name);
+  return {};
+}
+
+// The whole coursework in one worker, if it can be made and nothing is known to be wrong with it.
+struct Whole {
+  std::string blocker;
   std::string failure;
-  if (blocker.empty()) {
-    const LinkedWorker linked = linkWithStandIns(build, std::array{0, 1, 2, 3, 4, 5, 6});
-    failure = linked.failure;
-    if (!linked.worker.empty())
-      bench = std::make_unique<Bench>(linked.worker, build.folder, options);
+  std::unique_ptr<Bench> bench;
+};
+
+Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
+                const RunOptions& options) {
+  Whole whole;
+  whole.blocker = blockingPart(results);
+  if (whole.blocker.empty()) whole.blocker = missing(build, nullptr);
+  if (!whole.blocker.empty()) return whole;
+  const LinkedWorker linked = linkWithStandIns(build, std::array{0, 1, 2, 3, 4, 5, 6});
+  whole.failure = linked.failure;
+  if (linked.worker.empty()) return whole;
+  whole.bench = std::make_unique<Bench>(linked.worker, build.folder, options);
+  try {
+    whole.blocker = missing(build, whole.bench.get());
+  } catch (const WorkerError& e) {
+    whole.failure = e.what();
   }
+  if (!whole.blocker.empty() || !whole.failure.empty()) whole.bench.reset();
+  return whole;
+}
+
+void checkImages(CourseworkResults& results, Whole& whole, const Selection& selection,
+                 const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
   for (const Check& check : imageChecks()) {
     if (!selection.selects(check)) continue;
     CheckResult result{&check, {}, 0.0};
     const auto started = Clock::now();
-    if (bench) {
-      result.finding = runOne(check, *bench, options.seed, budget);
-    } else if (!blocker.empty()) {
+    if (whole.bench) {
+      result.finding = runOne(check, *whole.bench, options.seed, budget);
+    } else if (!whole.blocker.empty()) {
       result.finding.status = Status::kBlocked;
-      result.finding.cause = blocker;
+      result.finding.cause = whole.blocker;
     } else {
       result.finding.status = Status::kBroken;
-      result.finding.got = failure;
+      result.finding.got = whole.failure;
     }
     result.seconds = secondsSince(started);
     results.images.push_back(std::move(result));
@@ -227,6 +254,15 @@ void addKnown(CourseworkResults& results, const CourseworkResults& known) {
   }
   std::sort(results.parts.begin(), results.parts.end(),
             [](const PartResult& a, const PartResult& b) { return a.part.part < b.part.part; });
+}
+
+void checkOwnScenes(CourseworkResults& results, Whole& whole, const CourseworkBuild& build,
+                    const RunOptions& options) {
+  WholeWorker worker;
+  worker.blocker = whole.blocker.empty() ? whole.failure : whole.blocker;
+  worker.get = [&]() -> WorkerProcess& { return whole.bench->worker(); };
+  worker.forget = [&] { whole.bench->forget(); };
+  results.scenes = checkScenes(build.folder, worker, options.seed);
 }
 
 std::size_t countSelected(const Selection& selection) {
@@ -282,7 +318,9 @@ bool CourseworkResults::anythingWrong() const {
       if (wrong(f.status)) return true;
   }
   return std::any_of(images.begin(), images.end(),
-                     [&](const CheckResult& r) { return wrong(r.finding.status); });
+                     [&](const CheckResult& r) { return wrong(r.finding.status); }) ||
+         std::any_of(scenes.begin(), scenes.end(),
+                     [&](const SceneFinding& s) { return wrong(s.status); });
 }
 
 // Several parts at the same time, the longest ones first.
@@ -311,7 +349,11 @@ CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selec
   if (events.known) addKnown(results, *events.known);
   results.seconds = secondsSince(started);
   if (events.onFunctions) events.onFunctions(results);
-  if (selection.images) checkImages(results, build, selection, options, budget, progress);
+  if (selection.images || selection.scenes) {
+    Whole whole = linkWhole(results, build, options);
+    if (selection.images) checkImages(results, whole, selection, options, budget, progress);
+    if (selection.scenes) checkOwnScenes(results, whole, build, options);
+  }
   results.seconds = secondsSince(started);
   results.statistics = budget.taken();
   return results;

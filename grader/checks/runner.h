@@ -18,7 +18,8 @@ namespace pathmark::checks {
 struct Selection {
   std::vector<int> parts{0, 1, 2, 3, 4, 5, 6};
   bool images = true;
-  std::string only;  // an id or a section, such as "3.3/samples" or "3.3"; empty: all
+  bool scenes = true;  // of part 7
+  std::string only;    // an id or a section, such as "3.3/samples" or "3.3"; empty: all
 
   bool selects(const Check& check) const;
 };

@@ -21,11 +21,13 @@ PlainImage RenderedFilm::image() const {
   return result;
 }
 
-SmallRender::SmallRender(CheckRun& run, const FlatScene& scene, std::string name)
+SmallRender::SmallRender(CheckRun& run, const FlatScene& scene, std::string name,
+                         std::uint64_t raysPerPixel)
     : run_(run),
       name_(std::move(name)),
       width_(static_cast<int>(scene.camera.width)),
-      height_(static_cast<int>(scene.camera.height)) {
+      height_(static_cast<int>(scene.camera.height)),
+      raysPerPixel_(raysPerPixel) {
   run.worker.loadScene(scene);
 }
 
@@ -33,7 +35,7 @@ RenderedFilm SmallRender::render(std::uint64_t number, unsigned threads) {
   RenderSettings settings;
   settings.width = width_;
   settings.height = height_;
-  settings.raysPerPixel = kRaysPerPixel;
+  settings.raysPerPixel = raysPerPixel_;
   settings.threads = threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
   settings.seed = mix(run_.seed + kGolden * (number + 1));
   ImageRender image(run_.worker, settings);
@@ -65,6 +67,17 @@ std::vector<std::vector<double>> SmallRender::replicates(const ImageFeatures& fe
     if (invalid_) return {};
   }
   return all;
+}
+
+PlainImage SmallRender::mean(std::uint64_t first, std::uint64_t count) {
+  PlainImage mean{width_, height_, {}};
+  mean.rgb.resize(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  for (std::uint64_t r = 0; r < count; ++r) {
+    const PlainImage one = render(first + r).image();
+    for (std::size_t v = 0; v < mean.rgb.size(); ++v)
+      mean.rgb[v] += one.rgb[v] / static_cast<double>(count);
+  }
+  return mean;
 }
 
 SmallScene loadSmall(const std::string& name) {

@@ -26,9 +26,8 @@ struct RenderedFilm {
 class SmallRender {
  public:
   // Hands the scene to the worker; `name` is for messages.
-  SmallRender(CheckRun& run, const FlatScene& scene, std::string name);
-
-  static constexpr std::uint64_t kRaysPerPixel = 4;  // 2 x 2 strata
+  SmallRender(CheckRun& run, const FlatScene& scene, std::string name,
+              std::uint64_t raysPerPixel = 4);
 
   // The same bits for the same number, with any number of threads; 0: one for each processor.
   RenderedFilm render(std::uint64_t number, unsigned threads = 0);
@@ -36,6 +35,15 @@ class SmallRender {
   // Pictures number `first` and following. Empty where a value was no radiance: see invalid().
   std::vector<std::vector<double>> replicates(const ImageFeatures& features, std::uint64_t first,
                                               std::uint64_t count);
+
+  MakeReplicates replicatesOf(const ImageFeatures& features) {
+    return [&](std::uint64_t first, std::uint64_t count) {
+      return replicates(features, first, count);
+    };
+  }
+
+  // The mean of such pictures.
+  PlainImage mean(std::uint64_t first, std::uint64_t count);
 
   // What is wrong with the first picture that had an invalid value.
   const std::optional<Finding>& invalid() const { return invalid_; }
@@ -48,6 +56,7 @@ class SmallRender {
   CheckRun& run_;
   std::string name_;
   int width_, height_;
+  std::uint64_t raysPerPixel_;
   std::optional<Finding> invalid_;
   std::uint64_t rays_ = 0;
 };

@@ -71,7 +71,7 @@ int checkOnce(CheckSession& session, const CheckArguments& arguments,
   };
   const checks::CourseworkResults& results = session.run(events);
   progress.clear();
-  print(report::imageLines(results, style));
+  print(report::imageLines(results, style) + report::sceneLines(results, style));
   if (arguments.hints > 0) printHints(results, arguments.hints);
   if (!arguments.json.empty()) report::writeJson(results, arguments.json);
   return results.anythingWrong() ? kCourseworkFault : kSuccess;
@@ -119,7 +119,7 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
   command
       ->add_option("what", arguments->what,
                    "A part (3), a function (3.3 or lambertianBRDF::reflection), a check "
-                   "(3.3/samples), or images; all of them by default")
+                   "(3.3/samples), images, or 7 for your own scenes; all of them by default")
       ->type_name("PART|FUNCTION");
   command
       ->add_option("--with", arguments->with,

@@ -23,7 +23,7 @@ std::vector<std::string> allIds() {
 }
 
 checks::Selection ofFunction(const FunctionContract& f) {
-  return {{f.part}, false, std::string(f.section)};
+  return {{f.part}, false, false, std::string(f.section)};
 }
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -33,7 +33,7 @@ checks::Selection ofFunction(const FunctionContract& f) {
   for (const std::string& id : allIds()) names.push_back(id);
   const std::vector<std::string_view> views(names.begin(), names.end());
   throw UsageError(fmt::format(
-      "There is nothing to check that is called {}: it is a part (0 to 6), a function (such as 3.3 "
+      "There is nothing to check that is called {}: it is a part (0 to 7), a function (such as 3.3 "
       "or lambertianBRDF::reflection), a check (such as 3.3/samples), or images.{}",
       what, didYouMean(what, views)));
 }
@@ -42,11 +42,12 @@ checks::Selection ofFunction(const FunctionContract& f) {
 
 checks::Selection selectChecks(const std::string& what) {
   if (what.empty()) return {};
-  if (what == kImages) return {{0, 1, 2, 3, 4, 5, 6}, true, {}};
+  if (what == kImages) return {{0, 1, 2, 3, 4, 5, 6}, true, false, {}};
+  if (what == "7" || what == "part7") return {{}, false, true, {}};
   for (const PartContract& part : parts())
     if (what == std::to_string(part.part) || what == fmt::format("part{}", part.part) ||
         what == part.file)
-      return {{part.part}, false, {}};
+      return {{part.part}, false, false, {}};
   std::vector<FunctionContract> ending;
   for (const FunctionContract& f : contract()) {
     if (what == f.section || what == f.name) return ofFunction(f);
@@ -60,9 +61,9 @@ checks::Selection selectChecks(const std::string& what) {
   }
   for (const PartContract& part : parts())
     for (const checks::Check& check : checks::checksOfPart(part.part))
-      if (idOf(check) == what) return {{part.part}, false, what};
+      if (idOf(check) == what) return {{part.part}, false, false, what};
   for (const checks::Check& check : checks::imageChecks())
-    if (idOf(check) == what) return {{1, 2, 3, 4, 5, 6}, true, what};
+    if (idOf(check) == what) return {{1, 2, 3, 4, 5, 6}, true, false, what};
   refuse(what);
 }
 

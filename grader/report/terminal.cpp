@@ -190,6 +190,7 @@ std::string handoutOf(const PartContract& part) {
 
 std::string headline(const CourseworkResults& results, const std::filesystem::path& folder) {
   const Counts counts = count(results);
+  if (counts.all == 0 && results.parts.empty()) return {};
   std::string text = fmt::format("{}: {} of {} functions are right", displayPath(folder),
                                  counts.right, counts.all);
   if (counts.wrong > 0) text += fmt::format(", {} wrong", counts.wrong);
@@ -239,6 +240,22 @@ std::string listOfChecks(const checks::Selection& selection) {
   for (const int part : selection.parts)
     for (const checks::Check& check : checks::checksOfPart(part)) add(check);
   for (const checks::Check& check : checks::imageChecks()) add(check);
+  return text;
+}
+
+std::string sceneLines(const CourseworkResults& results, const Style& style) {
+  if (results.scenes.empty()) return {};
+  std::string text = "\nPart 7  Your own scenes\n";
+  for (const checks::SceneFinding& scene : results.scenes) {
+    text += fmt::format("  {} {}", statusColumn(scene.status, style), displayPath(scene.file));
+    if (scene.status == Status::kBlocked) {
+      text += fmt::format("  by {}\n", scene.message);
+      continue;
+    }
+    text += "\n";
+    addField(text, scene.status == Status::kNotWritten ? "to do" : "wrong", scene.message);
+    addField(text, "noise", scene.noise);
+  }
   return text;
 }
 

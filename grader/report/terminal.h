@@ -4,6 +4,7 @@
 //   functionLines  part by part, function by function, with what was found where something is wrong
 //   imageLines     the same of the pictures
 //   listOfChecks   what would be asked
+//   sceneLines     the coursework's own scenes
 #pragma once
 
 #include "checks/results.h"
@@ -23,6 +24,7 @@ struct Style {
 std::string headline(const checks::CourseworkResults& results, const std::filesystem::path& folder);
 std::string functionLines(const checks::CourseworkResults& results, const Style& style);
 std::string imageLines(const checks::CourseworkResults& results, const Style& style);
+std::string sceneLines(const checks::CourseworkResults& results, const Style& style);
 
 // The function that is to be mended, or else written, next; null if there is none.
 const checks::FunctionResult* nextFunction(const checks::CourseworkResults& results);

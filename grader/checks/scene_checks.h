@@ -1,0 +1,36 @@
+// Part 7: the scenes of a coursework, each checked for itself.
+//
+//   SceneFinding   what there is to say of one
+//   checkScenes    of all files in the coursework's folder scenes/
+//
+// Nothing in a scene can be wrong but its format. What is measured is for its author: whether the
+// noise is where the caption expects it.
+#pragma once
+
+#include "checks/check.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pathmark::checks {
+
+struct SceneFinding {
+  std::filesystem::path file;
+  Status status = Status::kPass;
+  std::string message;  // what is wrong, or in the way
+  std::string noise;    // where it is, of a scene that was rendered
+};
+
+// The worker of the whole coursework.
+struct WholeWorker {
+  std::string blocker;  // what is in the way of rendering: a part, or a function
+  std::function<WorkerProcess&()> get;
+  std::function<void()> forget;  // after it has died
+};
+
+std::vector<SceneFinding> checkScenes(const std::filesystem::path& coursework,
+                                      const WholeWorker& worker, std::uint64_t seed);
+
+}  // namespace pathmark::checks
