@@ -77,7 +77,8 @@ Finding threadsChangeNothing(CheckRun& run) {
       break;
     }
     if (!sameBits(one, three, Colour(1.0f), "made by three threads instead of one", finding)) {
-      finding.cause = "threads share a static or global variable";
+      finding.cause =
+          "threads share a static or global variable, or random numbers are not the sampler's";
       break;
     }
   }
@@ -93,10 +94,8 @@ Finding twiceTheEmission(CheckRun& run) {
   SmallRender brighter(run, scaledEmission(room, Colour(2.0f)), "a room made for this check");
   for (std::uint64_t k = 0; k < 8; ++k)
     if (!sameBits(once[k], brighter.render(k), Colour(2.0f),
-                  "a room made for this check, with twice its emission", finding)) {
-      finding.cause = "radiance is clamped, or something is added that does not come from a light";
+                  "a room made for this check, with twice its emission", finding))
       break;
-    }
   finding.calls = render.rays() + brighter.rays();
   return finding;
 }
