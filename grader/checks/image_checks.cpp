@@ -258,7 +258,7 @@ Finding cornellBox(CheckRun& run) { return likeItsReference(run, "cornell_box");
 Finding cornellPhong(CheckRun& run) { return likeItsReference(run, "cornell_phong"); }
 Finding uclSphere(CheckRun& run) { return likeItsReference(run, "ucl_sphere"); }
 Finding polygonLight(CheckRun& run) {
-  return likeItsReference(run, "polygon_light", 3.0 * kDeltaOfReference);
+  return likeItsReference(run, "polygon_light", 4.0 * kDeltaOfReference);
 }
 
 Check picture(std::string_view name, std::string_view statement, double delta,
@@ -289,7 +289,7 @@ std::span<const Check> imageChecks() {
               lightsAdd),
       picture("cornell_box", "cornell_box is like its reference", kDeltaOfReference, cornellBox),
       picture("ucl_sphere", "ucl_sphere is like its reference", kDeltaOfReference, uclSphere),
-      picture("polygon_light", "polygon_light is like its reference", 3.0 * kDeltaOfReference,
+      picture("polygon_light", "polygon_light is like its reference", 4.0 * kDeltaOfReference,
               polygonLight),
       picture("cornell_phong", "cornell_phong is like its reference", kDeltaOfReference,
               cornellPhong),
