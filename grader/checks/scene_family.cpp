@@ -44,7 +44,7 @@ FlatScene randomRoom(std::uint64_t seed) {
              .exponent = static_cast<float>(random.between(2.0, 12.0))});
   builder.camera({random.between(-0.5, 1.0), random.between(1.2, 1.8), 6.0}, {0.0f, 1.1f, 0.0f},
                  random.between(0.5, 0.65), kPixels, kPixels);
-  return builder.maxBounces(4).flat();
+  return builder.maxBounces(8).flat();
 }
 
 double Furnace::radiance(int channel) const {
