@@ -17,6 +17,8 @@ constexpr double kRoundings = 16.0 * 0x1p-24;
 
 constexpr double kEdge = 1e-5;  // the contract's leave
 
+constexpr double kShortest = 1e-6;  // length that coursework gets in a direct call
+
 double largest(const Point& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 }  // namespace
@@ -71,7 +73,9 @@ RayAndTriangle randomMeeting(Random& random, double size, double shift, double s
   const glm::dvec3 target = p[0] + b1 * (p[1] - p[0]) + b2 * (p[2] - p[0]);
   const double cosine = random.between(0.1, 1.0) * (random.below(2) == 0 ? 1.0 : -1.0);
   const glm::dvec3 d = frame.direction(cosine, random.between(0.0, 2.0 * std::numbers::pi));
-  const double distance = size * random.between(0.5, 3.0) * (random.below(4) == 0 ? -1.0 : 1.0);
+  // From near to far, so that a small t and a small determinant do not come together.
+  const double distance = std::max(size * std::exp2(random.between(-5.0, 4.0)), kShortest) *
+                          (random.below(4) == 0 ? -1.0 : 1.0);
   result.ray = {Point(target - distance * d), Vector(d)};
   return result;
 }

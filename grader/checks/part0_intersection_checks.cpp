@@ -107,12 +107,12 @@ Finding hitsAreFound(CheckRun& run) {
   askRepeatable(exact, results, inputs.size(), where);
   Finding finding = exact.finding();
   if (finding.passed() || !finding.cause.empty() || falseHits) return finding;
-  if (determinants.explains())
+  if (determinants.explains() && !distances.explains())
     finding.cause = fmt::format(
         "a fixed threshold for the determinant: all hits are missed where it is below {:.2g}, "
         "which is an area and small for a small triangle",
         determinants.value());
-  else if (distances.explains())
+  else if (distances.explains() && !determinants.explains())
     finding.cause =
         fmt::format("hits are missed where t is below {:.2g}, but t > 0 is enough for a hit",
                     distances.value());
@@ -148,12 +148,21 @@ Finding parallelsMiss(CheckRun& run) {
   const Results results = calls.run(run.worker);
   Exact exact;
   exact.count(results.count());
-  for (std::size_t i = 0; i < inputs.size(); ++i)
-    exact.holds(
+  bool allDivided = true;  // of those that are wrong
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const float t = results.number(i, 1);
+    const bool right = exact.holds(
         results.word(i, 0) == 0, inputs[i].why,
-        [&] { return fmt::format("a hit at t = {:.6g}", results.number(i, 1)); },
+        [&] { return fmt::format("a hit at t = {:.6g}", t); },
         [&] { return fmt::format("{}, {}", text(inputs[i].at.ray), text(inputs[i].at.corners)); });
-  return exact.finding();
+    if (!right && std::isfinite(t)) allDivided = false;
+  }
+  Finding finding = exact.finding();
+  if (!finding.passed() && allDivided)
+    finding.cause =
+        "division by a determinant of 0 gives infinity or NaN, and every comparison with NaN is "
+        "false";
+  return finding;
 }
 
 // Triangles all over the place, each known by its colour.
