@@ -280,7 +280,8 @@ std::vector<Check> directLightingChecks() {
        "the radiance depends on the numbers from the sampler and on nothing else, and is "
        "proportional to the emission",
        0.0, isAFunctionOfItsNumbers, rectangle},
-      {"lights", kDirect, "of several lights the sum arrives", 0.005, severalLights, both},
+      {"lights", kDirect, "of several lights the sum arrives, whichever of them are sampled", 0.005,
+       severalLights, both},
       {"polygon", kDirect, "the light of a polygon that arrives, reflected by the BRDF", 0.005,
        polygonLights<LightShape::kPolygon>, polygon},
       {"sphere", kDirect, "the light of a sphere that arrives, reflected by the BRDF", 0.005,

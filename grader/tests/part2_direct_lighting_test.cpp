@@ -3,6 +3,7 @@
 #include "sampling/pcg_sampler.h"
 #include "tests/support/edge_inputs.h"
 #include "tests/support/expect.h"
+#include "tests/support/quadrature.h"
 #include "tests/support/test_scene.h"
 
 #include <gtest/gtest.h>
