@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace pathmark::checks {
 
@@ -170,14 +169,11 @@ struct Soup {
   std::vector<Corners> corners;
   std::vector<Words> words;  // of each triangle
 
-  Soup(Random& random, double size, int count) {
-    for (int k = 0; k < count; ++k) {
-      const Corners c = randomMeeting(random, size, random.number(), 1.0).corners;
-      const auto colour = static_cast<float>(k + 1) / static_cast<float>(count + 1);
-      corners.push_back(c);
-      words.push_back(Words().add(c[0], c[1], c[2], random.direction(), vec3(colour, 0.5f, 0.25f),
-                                  vec3(static_cast<float>(k), 0.0f, 1.0f)));
-    }
+  void add(const Corners& c, const Vector& normal) {
+    const auto k = static_cast<float>(corners.size());
+    corners.push_back(c);
+    words.push_back(Words().add(c[0], c[1], c[2], normal, vec3(1.0f / (2.0f + k), 0.5f, 0.25f),
+                                vec3(k, 0.0f, 1.0f)));
   }
 };
 
@@ -220,6 +216,7 @@ int indexOf(const Results& results, std::size_t call, const std::vector<Words>& 
 }
 
 struct MeshQuestion {
+  std::string what;
   const std::vector<Corners>& corners;
   const std::vector<Words>& words;
   const std::vector<Ray>& rays;
@@ -238,10 +235,7 @@ void askMesh(CheckRun& run, const MeshQuestion& question, Exact& exact) {
   for (std::size_t i = 0; i < question.rays.size(); ++i) {
     const Encounters e(question.rays[i], question.corners);
     if (!e.clear) continue;
-    const auto where = [&] {
-      return fmt::format("{}, mesh of {} triangles", text(question.rays[i]),
-                         question.corners.size());
-    };
+    const auto where = [&] { return text(question.rays[i]) + "; " + question.what; };
     const bool hit = results.word(i, 0) != 0, expected = e.nearest != kNone;
     const double t = results.number(i, 1);
     const int got = hit ? indexOf(results, i, question.words) : kNone;
@@ -258,9 +252,8 @@ void askMesh(CheckRun& run, const MeshQuestion& question, Exact& exact) {
                   where,
                   {e.t(e.last), e.t(e.first), e.t(e.nearest), e.t(e.farthest), e.t(e.nearest)});
   }
-  askRepeatable(exact, results, question.rays.size(), [&](std::size_t i) {
-    return fmt::format("{}, mesh of {} triangles", text(question.rays[i]), question.corners.size());
-  });
+  askRepeatable(exact, results, question.rays.size(),
+                [&](std::size_t i) { return text(question.rays[i]) + "; " + question.what; });
 }
 
 Finding nearestIsFound(CheckRun& run) {
@@ -271,8 +264,21 @@ Finding nearestIsFound(CheckRun& run) {
               "the farthest hit is kept",
               "the search starts from what `t` holds when the function is called: a caller may "
               "have put 0 into it"};
+  Soup layers;
+  for (const float z : {-1.0f, 0.0f, -2.0f})
+    layers.add({Point(0, 0, z), Point(1, 0, z), Point(0, 1, z)}, {0, 0, 1});
+  const std::vector<Ray> plain{{{0.25f, 0.25f, 1.0f}, {0, 0, -1}},
+                               {{0.25f, 0.25f, -5.0f}, {0, 0, 1}},
+                               {{0.25f, 0.25f, 1.0f}, {0, 0, 1}},
+                               {{2.0f, 0.25f, 1.0f}, {0, 0, -1}}};
+  askMesh(run,
+          {"triangles (0, 0, z), (1, 0, z), (0, 1, z) with z = -1, 0 and -2 in this order",
+           layers.corners, layers.words, plain},
+          exact);
   for (const double size : {1.0, 1e-3, 1e4}) {
-    Soup soup(random, size, 12);
+    Soup soup;
+    for (int k = 0; k < 12; ++k)
+      soup.add(randomMeeting(random, size, random.number(), 1.0).corners, random.direction());
     std::vector<Ray> rays;
     for (int k = 0; k < 200; ++k) {
       const RayAndTriangle aimed = randomMeeting(random, size, 1.0, 1.0);
@@ -280,14 +286,15 @@ Finding nearestIsFound(CheckRun& run) {
           to = size * random.number() * glm::dvec3(random.direction());
       rays.push_back({aimed.ray.origin, Vector(glm::normalize(to - o))});
     }
-    askMesh(run, {soup.corners, soup.words, rays}, exact);
+    const std::string what = fmt::format("a mesh of 12 triangles of size {:.2g}", size);
+    askMesh(run, {what, soup.corners, soup.words, rays}, exact);
     std::reverse(soup.corners.begin(), soup.corners.end());
     std::reverse(soup.words.begin(), soup.words.end());
-    askMesh(run, {soup.corners, soup.words, rays}, exact);
+    askMesh(run, {what, soup.corners, soup.words, rays}, exact);
     soup.corners.resize(1);
     soup.words.resize(1);
-    askMesh(run, {soup.corners, soup.words, rays}, exact);
-    askMesh(run, {{}, {}, {rays.front()}}, exact);
+    askMesh(run, {"a mesh of a single triangle", soup.corners, soup.words, rays}, exact);
+    askMesh(run, {"a mesh without triangles", {}, {}, {rays.front()}}, exact);
   }
   return exact.finding();
 }

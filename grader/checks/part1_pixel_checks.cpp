@@ -76,6 +76,8 @@ PixelQuestion somePixel(std::size_t camera, int rays, std::uint64_t seed) {
   return {.camera = filmCameras()[camera], .i = 5, .j = 2, .rays = rays, .seed = seed};
 }
 
+std::string times(std::uint32_t n) { return n == 1 ? "once" : fmt::format("{} times", n); }
+
 // What is kept between calls (a sum, a generator) shows when other pixels come between.
 Finding pixelsAreRepeatable(CheckRun& run) {
   std::vector<PixelQuestion> questions;
@@ -156,8 +158,8 @@ Finding raysAreStartedInOrder(CheckRun& run) {
     exact.count(1);
     exact.holds(
         pixel.counts.traced == static_cast<std::uint32_t>(rays),
-        fmt::format("{} calls of tracePath", rays),
-        [&] { return fmt::format("{} calls of tracePath", pixel.counts.traced); },
+        fmt::format("tracePath called {}", times(static_cast<std::uint32_t>(rays))),
+        [&] { return fmt::format("tracePath called {}", times(pixel.counts.traced)); },
         [&] { return question.text(); });
     for (std::size_t m = 0; m < pixel.rays.size(); ++m) {
       const RecordedRay& ray = pixel.rays[m];
@@ -168,13 +170,13 @@ Finding raysAreStartedInOrder(CheckRun& run) {
           [&] {
             return ray.startedBefore == 0
                        ? std::string("startRay has not been called")
-                       : fmt::format("startRay({}); {} calls of it for {} rays so far",
-                                     ray.startRay, ray.startedBefore, m + 1);
+                       : fmt::format("startRay({}); it was called {} for {} rays so far",
+                                     ray.startRay, times(ray.startedBefore), m + 1);
           },
           where);
       exact.holds(
           ray.numbers >= 2, "two numbers taken from the sampler after startRay, for s and t",
-          [&] { return fmt::format("{} numbers taken", ray.numbers); }, where);
+          [&] { return ray.numbers == 0 ? "none" : "one"; }, where);
     }
     if (exact.failed() && cause.empty()) cause = likelyCause(pixel, rays);
   }
@@ -205,9 +207,21 @@ std::vector<PixelQuestion> strataQuestions(std::uint64_t seed) {
 // The one that a ray goes through; kSwapped: that in column j and row i.
 enum class Pixel { kRight, kSwapped, kOther };
 
+std::string causeOfEmptyStrata(const PixelQuestion& question,
+                               const std::vector<glm::dvec2>& places) {
+  const bool onePlace = std::ranges::all_of(places, [&](const glm::dvec2& place) {
+    return glm::distance(place, places.front()) <= question.tolerance();
+  });
+  if (!onePlace) return "";
+  return question.numbers == RecordedNumbers::kRandom
+             ? "a single ray is made, and traced again and again"
+             : "every ray is made with the same k, l and n";
+}
+
 // The rays come from the coursework's StratifiedRandomRay, which has been found right.
 Finding strataAreHit(CheckRun& run) {
   Exact exact{"i and j are swapped: i is the column, j is the row"};
+  std::string cause;
   for (const PixelQuestion& question : strataQuestions(run.seed)) {
     const RecordedPixel pixel = question.ask(run);
     exact.count(1);
@@ -244,8 +258,11 @@ Finding strataAreHit(CheckRun& run) {
                              *empty / static_cast<std::size_t>(n));
         },
         [&] { return question.text(); }, {true});
+    if (empty && cause.empty()) cause = causeOfEmptyStrata(question, places);
   }
-  return exact.finding();
+  Finding finding = exact.finding();
+  if (!finding.passed() && finding.cause.empty()) finding.cause = cause;
+  return finding;
 }
 
 // By the recorder every ray has a radiance of its own.
@@ -258,7 +275,8 @@ Finding meanIsOfAllRays(CheckRun& run) {
               "only the n * n rays of the strata are added",
               "the radiance of a ray is clamped to 1: what is too bright for the screen is not too "
               "bright for the mean",
-              "only the last ray counts"};
+              "the radiance of a ray replaces the sum so far; it must be added",
+              "the colour is that of the last ray"};
   for (const int rays : kRayCounts) {
     const PixelQuestion question = somePixel(0, rays, run.seed);
     const RecordedPixel pixel = question.ask(run);
@@ -283,7 +301,7 @@ Finding meanIsOfAllRays(CheckRun& run) {
                                        text(PixelRecorder::radianceOf(1)));
                   },
                   {sum[c] / strata, sum[c], sum[c] / (n + 1.0), (sum[c] - last[c]) / n,
-                   (sum[c] - first[c]) / n, ofStrata[c] / n, clamped[c] / n, last[c]});
+                   (sum[c] - first[c]) / n, ofStrata[c] / n, clamped[c] / n, last[c] / n, last[c]});
     }
   }
   return exact.finding();
@@ -297,12 +315,12 @@ Finding raysAreSpreadEvenly(CheckRun& run) {
     return std::array{p.x, p.y, p.x * p.x, p.y * p.y, p.x * p.y};
   };
   std::vector<Mean> means;
-  for (const char* of : {"stratum, of 1", "pixel, of 1"}) {
+  for (const char* of : {"stratum", "pixel"}) {
     const double expected[] = {0.5, 0.5, 1.0 / 3.0, 1.0 / 3.0, 0.25};
     const char* const names[] = {"x", "y", "x^2", "y^2", "x y"};
     for (std::size_t k = 0; k < 5; ++k)
       means.push_back(
-          {fmt::format("mean of {} (from the corner of its {})", names[k], of), expected[k]});
+          {fmt::format("mean of {} within its {}, from 0 to 1", names[k], of), expected[k]});
   }
   const std::size_t cells = means.size();
   for (int row = 0; row < kSide; ++row)

@@ -50,6 +50,11 @@ std::vector<RayInput> rayInputs(const SimpleCamera& camera, Random& random) {
   return inputs;
 }
 
+glm::dvec3 towards(const SimpleCamera& camera, const RayInput& in) {
+  return glm::dvec3(camera.topLeft()) + in.x() * glm::dvec3(camera.pixelRight()) +
+         in.y() * glm::dvec3(camera.pixelDown());
+}
+
 Words cameraWords(const SimpleCamera& camera) {
   return Words().add(camera.eye(), camera.topLeft(), camera.pixelRight(), camera.pixelDown(),
                      camera.width(), camera.height());
@@ -81,9 +86,7 @@ Finding raysAreValid(CheckRun& run) {
       exact.holds(
           origin == camera.eye(), fmt::format("origin {}, the eye", text(camera.eye())),
           [&] { return fmt::format("origin {}", text(origin)); }, where);
-      const glm::dvec3 there = glm::dvec3(camera.topLeft()) +
-                               inputs[i].x() * glm::dvec3(camera.pixelRight()) +
-                               inputs[i].y() * glm::dvec3(camera.pixelDown());
+      const glm::dvec3 there = towards(camera, inputs[i]);
       exact.value("length of the direction", glm::length(glm::dvec3(d)), 1.0, 8.0 * 0x1p-24, where,
                   {glm::length(there)});
       exact.holds(
@@ -119,7 +122,9 @@ Finding filmPointIsRight(CheckRun& run) {
       "s and t are not used: the ray goes through the corner of its stratum",
       "s and t are not divided by n: the jitter leaves the stratum",
       "s and t are divided by n twice: the jitter does not fill the stratum",
-      "the jitter fills the middle half of the stratum only"};
+      "the jitter fills the middle half of the stratum only",
+      "eye() is added to the direction: topLeft is a vector from the eye already",
+      "eye() is subtracted from the direction: topLeft is a vector from the eye already"};
   for (const SimpleCamera& camera : filmCameras()) {
     const std::vector<RayInput> inputs = rayInputs(camera, random);
     const Results results = ask(run, camera, inputs);
@@ -130,14 +135,17 @@ Finding filmPointIsRight(CheckRun& run) {
       const glm::dvec2 film = filmPoint(camera, results.vector(m, 3));
       const double x = in.x(), y = in.y(), n = in.n, s = in.s, t = in.t, i = in.i, j = in.j,
                    k = in.k, l = in.l, allowed = filmTolerance(camera, x, y);
+      const glm::dvec3 there = towards(camera, in), eye(camera.eye());
+      const glm::dvec2 added = filmPoint(camera, Vector(glm::normalize(there + eye))),
+                       taken = filmPoint(camera, Vector(glm::normalize(there - eye)));
       exact.value("film x = i + (k + s)/n", film.x, x, allowed, where,
                   {x - 0.5, x + 0.5, i + s / n, i + s, j + (k + s) / n, i + (l + s) / n, x,
                    i + (k + t) / n, i + (k + t) / n, i + (k + 0.5) / n, i + k / n, i + k / n + s,
-                   i + (k + s / n) / n, i + (k + 0.25 + 0.5 * s) / n});
+                   i + (k + s / n) / n, i + (k + 0.25 + 0.5 * s) / n, added.x, taken.x});
       exact.value("film y = j + (l + t)/n", film.y, y, allowed, where,
                   {y - 0.5, y + 0.5, j + t / n, j + t, i + (l + t) / n, j + (k + t) / n,
                    j + (l + s) / n, y, j + (l + s) / n, j + (l + 0.5) / n, j + l / n, j + l / n + t,
-                   j + (l + t / n) / n, j + (l + 0.25 + 0.5 * t) / n});
+                   j + (l + t / n) / n, j + (l + 0.25 + 0.5 * t) / n, added.y, taken.y});
     }
   }
   return exact.finding();
@@ -147,13 +155,13 @@ Finding filmPointIsRight(CheckRun& run) {
 
 std::vector<Check> part1RayChecks() {
   return {
+      {"film-point", F::kStratifiedRandomRay,
+       "the ray goes through the film point (i + (k + s)/n, j + (l + t)/n), to 8 roundings", 0.0,
+       filmPointIsRight},
       {"valid", F::kStratifiedRandomRay,
        "the ray starts at the eye, its direction is a unit vector towards the film, and the same "
        "again for the same numbers",
        0.0, raysAreValid},
-      {"film-point", F::kStratifiedRandomRay,
-       "the ray goes through the film point (i + (k + s)/n, j + (l + t)/n), to 8 roundings", 0.0,
-       filmPointIsRight},
   };
 }
 
