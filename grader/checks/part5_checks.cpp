@@ -5,6 +5,7 @@
 // an eighth of its samples, and the roulette ends seven paths of ten.
 #include "checks/all_checks.h"
 #include "checks/exact.h"
+#include "checks/hollow.h"
 #include "checks/lopsided_furnace.h"
 #include "checks/matt_room.h"
 #include "checks/path_estimates.h"
@@ -13,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -24,31 +26,6 @@ using F = CourseworkFunction;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr const char* kChannels[] = {"red", "green", "blue"};
-
-// Any Ks that is not black makes it Phong's, whose stand-in looks at Kd only.
-Surface lopsidedWall(const Colour& kd, const Colour& emission) {
-  return {.kd = kd, .emission = emission, .ks = Colour(0.125f)};
-}
-
-// A sphere from within, somewhere.
-struct Hollow {
-  Point centre;
-  float radius;
-
-  explicit Hollow(Random& random)
-      : centre(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)),
-        radius(static_cast<float>(random.between(1.0, 3.0))) {}
-
-  // A ray from within that meets the wall at this cosine.
-  Ray rayAt(double cosine, Random& random) const {
-    const Vector n = random.direction();
-    const Vector wo = atCosine(n, cosine, random.between(0.0, kTwoPi));
-    const double chord = 2.0 * double{radius} * cosine;
-    return {
-        Point(glm::dvec3(centre) - double{radius} * glm::dvec3(n) + 0.4 * chord * glm::dvec3(wo)),
-        -wo};
-  }
-};
 
 std::string inWords(const Ray& ray) {
   return fmt::format("a ray from {} towards {}", text(ray.origin), text(ray.direction));
@@ -301,6 +278,48 @@ Finding lopsidedFurnace(CheckRun& run) {
       suspicions);
 }
 
+// The weight of a bounce changes the radiance of the whole by much less than itself. With the same
+// random numbers the paths of one bounce more are the same paths, continued: what they add has
+// little noise, and an error of the weight shows in full. A wall that is black in green keeps the
+// roulette's stand-in from ending paths, which would be most of the noise.
+constexpr double kBounceDelta = 0.01;
+
+Finding furtherBounces(CheckRun& run) {
+  Random random(run.seed);
+  const Hollow hollow(random);
+  const Colour kd(0.5f, 0.0f, 0.75f), emission(1.0f, 0.5f, 2.0f);
+  constexpr std::array kLit{0, 2};  // channels that the wall reflects
+  SceneBuilder builder;
+  builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true);
+  run.worker.loadScene(builder.flat());
+  const double cosine = 0.6;
+  const Ray ray = hollow.rayAt(cosine, random);
+  PathEstimates once(run, {{ray, 1}}, 1024), twice(run, {{ray, 2}}, 1024);
+  const Mean ratio{
+      .what = "what bounce 2 adds / what it must", .expected = 1.0, .delta = kBounceDelta};
+  const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
+    std::vector<double> one(3 * count), two(3 * count);
+    once.measure(first, count, one);
+    twice.measure(first, count, two);
+    for (std::size_t r = 0; r < count; ++r) {
+      values[r] = 0.0;
+      for (const int c : kLit) {
+        const LopsidedFurnace furnace{double{emission[c]}, double{kd[c]}};
+        const double added = furnace.radiance(cosine, 2) - furnace.radiance(cosine, 1);
+        const std::size_t at = 3 * r + static_cast<std::size_t>(c);
+        values[r] += (two[at] - one[at]) / (added * kLit.size());
+      }
+    }
+  };
+  Finding finding = judgeMeans(
+      run, {ratio}, measure,
+      fmt::format("inside a sphere that emits {} everywhere, maxBounces() = 1 and 2 with the same "
+                  "random numbers",
+                  text(emission)));
+  finding.calls = once.paths() + twice.paths();
+  return finding;
+}
+
 Finding furnaceWithSphere(CheckRun& run) {
   Random random(run.seed);
   const float inner = static_cast<float>(random.between(0.5, 1.0)),
@@ -412,6 +431,9 @@ std::span<const Check> part5Checks() {
        "inside a sphere the mean radiance is E + integral of f L cos(theta), for each number of "
        "bounces",
        Deltas{}.all, lopsidedFurnace},
+      {"bounces", F::kTracePath,
+       "each further bounce adds the light that has been scattered once more", kBounceDelta,
+       furtherBounces},
       {"furnace-with-sphere", F::kTracePath,
        "where all surfaces emit E and reflect a quarter, the mean radiance is E (4 - 4^-B) / 3",
        Deltas{}.all, furnaceWithSphere},
