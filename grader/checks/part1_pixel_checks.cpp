@@ -356,7 +356,8 @@ Finding raysAreSpreadEvenly(CheckRun& run) {
             run.seed + std::uint64_t{first + r} * kPixels + static_cast<std::uint64_t>(pixel));
         const RecordedPixel recorded = question.ask(run);
         ++calls;
-        const double share = 1.0 / (kPixels * std::max<double>(1.0, double(recorded.rays.size())));
+        const double share =
+            1.0 / (kPixels * std::max<double>(1.0, static_cast<double>(recorded.rays.size())));
         for (const RecordedRay& ray : recorded.rays) {
           const glm::dvec2 place = question.placeOf(ray);
           if (!isInPixel(place, question.tolerance())) continue;
