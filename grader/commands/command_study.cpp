@@ -8,6 +8,7 @@
 #include "host/session.h"
 #include "study/study.h"
 #include "study/study_report.h"
+#include "worker/contract.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,6 +32,7 @@ struct StudyArguments {
   int seeds = 20;
   unsigned threads = 0;
   bool images = false;
+  bool functionOnly = false;
   std::string log = (fs::path(build::kBuildFolder) / "study/records.jsonl").string();
 };
 
@@ -37,6 +40,12 @@ struct StudyArguments {
 constexpr const char* kSlight = "slight";
 
 bool isSlight(const Variant& variant) { return variant.name.find("_slight_") != std::string::npos; }
+
+std::string sectionOf(const std::string& function) {
+  for (const FunctionContract& f : contract())
+    if (f.name == function) return std::string(f.section);
+  throw std::logic_error(function + " is no function of the contract");
+}
 
 std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
   const auto asked = [&](const std::string& name) {
@@ -54,6 +63,8 @@ std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
     if (!wanted) continue;
     if (arguments.images && variant.wrong) continue;
     subjects.push_back(study::variantSubject(variant, arguments.images, scratch));
+    if (arguments.functionOnly && variant.wrong)
+      subjects.back().selection.only = sectionOf(variant.function);
   }
   for (const std::string& word : arguments.what)
     if (std::find(known.begin(), known.end(), word) == known.end())
@@ -116,7 +127,8 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark study solutions --seeds 1000      (go on with Ctrl-C and the same command)\n"
       "  ./pathmark study solutions --images --seeds 200\n"
       "  ./pathmark study wrong --seeds 1\n"
-      "  ./pathmark study slight --seeds 1000         (how often errors of 1 % are found)\n\n"
+      "  ./pathmark study slight --function-only --seeds 1000\n"
+      "                                               (how often errors of 1 % are found)\n\n"
       "Exit code: 0 if all that is right passed and all that is wrong was found, 1 if not, 130 if "
       "interrupted.");
   command->callback(

@@ -35,7 +35,8 @@ const std::string& programHash() {
 
 // What a record depends on besides the seed.
 std::string keyOf(const StudySubject& subject) {
-  std::string text = programHash() + subject.name + (subject.selection.images ? " images" : "");
+  std::string text = programHash() + subject.name + (subject.selection.images ? " images " : " ") +
+                     subject.selection.only;
   for (const PartBuild& part : subject.build.parts) text += part.object.filename().string();
   return contentHash(text);
 }
@@ -108,6 +109,7 @@ StudySubject solutionsSubject(bool images) {
   StudySubject subject{"solutions", {}, {}, {}};
   subject.build = buildCoursework(courseworkFolder("solutions"), Incomplete::kCompileOnly);
   subject.selection.images = images;
+  subject.selection.scenes = false;
   if (images) subject.selection.parts.clear();
   return subject;
 }
