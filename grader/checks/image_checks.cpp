@@ -5,6 +5,7 @@
 #include "checks/all_checks.h"
 #include "checks/exact.h"
 #include "checks/image_features.h"
+#include "checks/image_noise.h"
 #include "checks/scene_family.h"
 #include "checks/small_render.h"
 #include "host/reference.h"
@@ -293,6 +294,8 @@ std::span<const Check> imageChecks() {
               polygonLight),
       picture("cornell_phong", "cornell_phong is like its reference", kDeltaOfReference,
               cornellPhong),
+      picture("noise", "how much noise is left is not judged, but said", 0.0,
+              noiseIsThatOfTheReference),
   };
   return kChecks;
 }

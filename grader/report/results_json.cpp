@@ -52,7 +52,10 @@ std::string statusName(checks::Status status) {
 }
 
 std::string toJson(const checks::CourseworkResults& results) {
-  Json json{{"seed", results.seed}, {"seconds", results.seconds}, {"parts", Json::array()}};
+  Json json{{"seed", results.seed},
+            {"seconds", results.seconds},
+            {"statistics", results.statistics},
+            {"parts", Json::array()}};
   for (const checks::PartResult& part : results.parts) {
     Json p{{"part", part.part.part}, {"file", part.part.file}};
     if (!part.failure.empty()) p["failure"] = part.failure;

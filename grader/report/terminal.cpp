@@ -190,7 +190,9 @@ std::string handoutOf(const PartContract& part) {
 
 std::string headline(const CourseworkResults& results, const std::filesystem::path& folder) {
   const Counts counts = count(results);
-  if (counts.all == 0 && results.parts.empty()) return {};
+  const auto failed = [](const PartResult& part) { return !part.failure.empty(); };
+  if (counts.all == 0 && std::none_of(results.parts.begin(), results.parts.end(), failed))
+    return {};
   std::string text = fmt::format("{}: {} of {} functions are right", displayPath(folder),
                                  counts.right, counts.all);
   if (counts.wrong > 0) text += fmt::format(", {} wrong", counts.wrong);
@@ -205,6 +207,7 @@ std::string headline(const CourseworkResults& results, const std::filesystem::pa
 std::string functionLines(const CourseworkResults& results, const Style& style) {
   std::string text;
   for (const PartResult& part : results.parts) {
+    if (part.functions.empty() && part.failure.empty()) continue;
     text += fmt::format("\nPart {}  {}\n", part.part.part, part.part.title);
     if (!part.failure.empty())
       text += fmt::format("  {} {} {}\n", statusColumn(Status::kBroken, style), part.part.file,
@@ -225,6 +228,7 @@ std::string imageLines(const CourseworkResults& results, const Style& style) {
       text += fmt::format(": {}\n", r.check->statement);
     else
       text.append("\n").append(details(r, results.seed, style, "handouts/README.md"));
+    addField(text, "note", r.finding.remark);
   }
   return text;
 }
@@ -235,7 +239,7 @@ std::string listOfChecks(const checks::Selection& selection) {
     if (!selection.selects(check)) return;
     const std::string finds =
         check.delta > 0.0 ? fmt::format("finds {:g} %", 100.0 * check.delta) : "exact";
-    text += fmt::format("{:<18} {:<12} {}\n", idOf(check), finds, wrapped(check.statement, 32));
+    text += fmt::format("{:<26} {:<12} {}\n", idOf(check), finds, wrapped(check.statement, 40));
   };
   for (const int part : selection.parts)
     for (const checks::Check& check : checks::checksOfPart(part)) add(check);
