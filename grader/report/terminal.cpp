@@ -220,6 +220,12 @@ std::string functionLines(const CourseworkResults& results, const Style& style) 
 std::string imageLines(const CourseworkResults& results, const Style& style) {
   if (results.images.empty()) return {};
   std::string text = "\nPictures\n";
+  const CheckResult& first = results.images.front();
+  if (std::all_of(results.images.begin(), results.images.end(), [&](const CheckResult& r) {
+        return r.finding.status == Status::kBlocked && r.finding.cause == first.finding.cause;
+      }))
+    return text +
+           fmt::format("  {} by {}\n", statusColumn(Status::kBlocked, style), first.finding.cause);
   for (const CheckResult& r : results.images) {
     text += fmt::format("  {} {}", statusColumn(r.finding.status, style), r.check->name);
     if (r.finding.status == Status::kBlocked)
