@@ -100,7 +100,12 @@ std::string functionLine(const FunctionResult& f, std::uint64_t seed, const Styl
       if (!r.finding.remark.empty()) addField(text, "note", r.finding.remark);
     return text;
   }
-  if (f.status == Status::kBlocked) return text + fmt::format("  by {}\n", worst->finding.cause);
+  if (f.status == Status::kBlocked) {
+    const bool someRight = std::any_of(f.checks.begin(), f.checks.end(),
+                                       [](const CheckResult& r) { return r.finding.passed(); });
+    return text + fmt::format("  {}by {}\n", someRight ? "right so far; the rest " : "",
+                              worst->finding.cause);
+  }
   return text + "\n" +
          details(*worst, seed, style,
                  fmt::format("{}, section {}", partOf(f.function), f.function.section));
