@@ -78,6 +78,8 @@ class Progress {
  public:
   Progress(std::size_t total, const RunEvents& events) : total_(total), events_(events) {}
 
+  bool goesOn() const { return !events_.goOn || events_.goOn(); }
+
   void done(const Check& check) {
     const std::lock_guard lock(mutex_);
     ++done_;
@@ -229,6 +231,7 @@ Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
 void checkImages(CourseworkResults& results, Whole& whole, const Selection& selection,
                  const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
   for (const Check& check : imageChecks()) {
+    if (!progress.goesOn()) return;
     if (!selection.selects(check)) continue;
     CheckResult result{&check, {}, 0.0};
     const auto started = Clock::now();
@@ -365,7 +368,7 @@ CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selec
   if (selection.images || selection.scenes) {
     Whole whole = linkWhole(results, build, options);
     if (selection.images) checkImages(results, whole, selection, options, budget, progress);
-    if (selection.scenes) checkOwnScenes(results, whole, build, options);
+    if (selection.scenes && progress.goesOn()) checkOwnScenes(results, whole, build, options);
   }
   results.seconds = secondsSince(started);
   results.statistics = budget.taken();

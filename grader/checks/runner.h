@@ -38,6 +38,9 @@ struct RunEvents {
 
   std::function<void(double fraction, const std::string& id)> onProgress;
   std::function<void(const CourseworkResults&)> onFunctions;  // before the images
+
+  // Asked before each picture, which take seconds; if it says no, the rest is left out.
+  std::function<bool()> goOn;
 };
 
 // Throws std::system_error where the machine cannot start a worker.

@@ -47,12 +47,16 @@ const checks::CourseworkResults& CheckSession::run(const checks::RunEvents& even
 }
 
 std::string stampOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const PartContract& part : parts()) files.push_back(folder / part.file);
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder / "scenes", error))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
   std::string text;
-  for (const PartContract& part : parts()) {
-    const fs::path file = folder / part.file;
-    std::error_code error;
+  for (const fs::path& file : files) {
     const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-    text += fmt::format("{} {} ", error ? 0 : time, fs::file_size(file, error));
+    text += fmt::format("{} {} {}\n", file.string(), error ? 0 : time, fs::file_size(file, error));
   }
   return text;
 }

@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -60,10 +61,11 @@ void printHints(const checks::CourseworkResults& results, int count) {
 }
 
 int checkOnce(CheckSession& session, const CheckArguments& arguments,
-              const std::filesystem::path& folder) {
+              const std::filesystem::path& folder, const std::function<bool()>& goOn) {
   const report::Style style{showsColour(), arguments.with};
   ProgressLine progress;
   checks::RunEvents events;
+  events.goOn = goOn;
   events.onProgress = [&](double fraction, const std::string& id) { progress.show(fraction, id); };
   events.onFunctions = [&](const checks::CourseworkResults& results) {
     progress.clear();
@@ -74,10 +76,11 @@ int checkOnce(CheckSession& session, const CheckArguments& arguments,
   print(report::imageLines(results, style) + report::sceneLines(results, style));
   if (arguments.hints > 0) printHints(results, arguments.hints);
   if (!arguments.json.empty()) report::writeJson(results, arguments.json);
+  if (interrupted()) return kInterrupted;
   return results.anythingWrong() ? kCourseworkFault : kSuccess;
 }
 
-// Until Ctrl-C. A save that comes while a check runs is seen when it has ended.
+// Until Ctrl-C. A save ends what is left of the pictures: they are of another program now.
 int watch(CheckSession& session, const CheckArguments& arguments,
           const std::filesystem::path& folder) {
   std::string checked;
@@ -88,8 +91,8 @@ int watch(CheckSession& session, const CheckArguments& arguments,
       continue;
     }
     if (isatty(STDOUT_FILENO) == 1) print("\033[2J\033[3J\033[H");
-    checkOnce(session, arguments, folder);
-    print("\nWatching for changes; Ctrl-C ends.\n");
+    checkOnce(session, arguments, folder, [&] { return !interrupted() && stampOf(folder) == now; });
+    if (stampOf(folder) == now) print("\nWatching for changes; Ctrl-C ends.\n");
     checked = now;
   }
   return kSuccess;
@@ -107,7 +110,7 @@ int check(const CheckArguments& arguments) {
   options.onText = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
   CheckSession session(folder, selectChecks(arguments.what), options);
   if (arguments.watch) return watch(session, arguments, folder);
-  return checkOnce(session, arguments, folder);
+  return checkOnce(session, arguments, folder, [] { return !interrupted(); });
 }
 
 }  // namespace
