@@ -76,7 +76,10 @@ int checkOnce(CheckSession& session, const CheckArguments& arguments,
   print(report::imageLines(results, style) + report::sceneLines(results, style));
   if (arguments.hints > 0) printHints(results, arguments.hints);
   if (!arguments.json.empty()) report::writeJson(results, arguments.json);
-  if (interrupted()) return kInterrupted;
+  if (interrupted() && !arguments.watch) {
+    fmt::print(stderr, "Interrupted: not all was checked.\n");
+    return kInterrupted;
+  }
   return results.anythingWrong() ? kCourseworkFault : kSuccess;
 }
 
