@@ -117,6 +117,8 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
                                        "Runs at the same time; one for each processor by default"),
                    1, 1024);
   command->add_flag("--images", arguments->images, "The checks of pictures, of what is right");
+  command->add_flag("--function-only", arguments->functionOnly,
+                    "Of what is wrong, only the checks of the function that has the mistake");
   command
       ->add_option("--log", arguments->log,
                    "Where records are kept; what is there already is not run again")
