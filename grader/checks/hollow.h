@@ -35,4 +35,10 @@ struct Hollow {
   }
 };
 
+// The wall of the hollow, and nothing else: it emits everywhere.
+inline FlatScene furnaceIn(const Hollow& hollow, const Colour& kd, const Colour& emission) {
+  SceneBuilder builder;
+  return builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true).flat();
+}
+
 }  // namespace pathmark::checks

@@ -106,9 +106,7 @@ Finding radianceIsValid(CheckRun& run) {
   Exact exact;
   for (const int bounces : {1, 2, 3, 8, 64}) {
     const Hollow hollow(random);
-    SceneBuilder builder;
-    builder.sphere(lopsidedWall(Colour(0.5f), Colour(1.0f)), hollow.centre, hollow.radius, true);
-    run.worker.loadScene(builder.flat());
+    run.worker.loadScene(furnaceIn(hollow, Colour(0.5f), Colour(1.0f)));
     std::vector<PathRay> rays;
     for (int k = 0; k < 200; ++k)
       rays.push_back({hollow.rayAt(random.between(0.02, 1.0), random), bounces});
@@ -135,9 +133,7 @@ Finding radianceIsValid(CheckRun& run) {
 Finding sameNumbersSameRadiance(CheckRun& run) {
   Random random(run.seed);
   const Hollow hollow(random);
-  SceneBuilder builder;
-  builder.sphere(lopsidedWall(Colour(0.5f), Colour(1.0f)), hollow.centre, hollow.radius, true);
-  run.worker.loadScene(builder.flat());
+  run.worker.loadScene(furnaceIn(hollow, Colour(0.5f), Colour(1.0f)));
   std::vector<PathRay> rays;
   for (int k = 0; k < 64; ++k) rays.push_back({hollow.rayAt(random.between(0.1, 1.0), random), 8});
   const std::vector<Traced> first = traceOnce(run, rays, 1), other = traceOnce(run, rays, 2),
@@ -169,10 +165,8 @@ Finding twiceTheEmission(CheckRun& run) {
   for (int k = 0; k < 400; ++k) rays.push_back({hollow.rayAt(random.between(0.1, 1.0), random), 6});
   std::vector<Traced> traced[2];
   for (const int times : {1, 2}) {
-    SceneBuilder builder;
-    builder.sphere(lopsidedWall(Colour(0.75f, 0.5f, 0.25f), static_cast<float>(times) * emission),
-                   hollow.centre, hollow.radius, true);
-    run.worker.loadScene(builder.flat());
+    run.worker.loadScene(
+        furnaceIn(hollow, Colour(0.75f, 0.5f, 0.25f), static_cast<float>(times) * emission));
     traced[times - 1] = traceOnce(run, rays);
   }
   Exact exact;
@@ -249,9 +243,7 @@ Finding lopsidedFurnace(CheckRun& run) {
   Random random(run.seed);
   const Hollow hollow(random);
   const Colour kd(0.3f, 0.2f, 0.1f), emission(1.0f, 0.5f, 2.0f);
-  SceneBuilder builder;
-  builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true);
-  run.worker.loadScene(builder.flat());
+  run.worker.loadScene(furnaceIn(hollow, kd, emission));
   std::vector<PathRay> rays;
   std::vector<Mean> means;
   std::vector<Suspicion> suspicions;
@@ -289,9 +281,7 @@ Finding furtherBounces(CheckRun& run) {
   const Hollow hollow(random);
   const Colour kd(0.5f, 0.0f, 0.75f), emission(1.0f, 0.5f, 2.0f);
   constexpr std::array kLit{0, 2};  // channels that the wall reflects
-  SceneBuilder builder;
-  builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true);
-  run.worker.loadScene(builder.flat());
+  run.worker.loadScene(furnaceIn(hollow, kd, emission));
   const double cosine = 0.6;
   const Ray ray = hollow.rayAt(cosine, random);
   PathEstimates once(run, {{ray, 1}}, 1024), twice(run, {{ray, 2}}, 1024);
@@ -375,9 +365,7 @@ Finding unfairRoulette(CheckRun& run) {
   Random random(run.seed);
   const Hollow hollow(random);
   const Colour kd(0.4f, 0.3f, 0.0f), emission(1.0f, 0.5f, 2.0f);
-  SceneBuilder builder;
-  builder.sphere(lopsidedWall(kd, emission), hollow.centre, hollow.radius, true);
-  run.worker.loadScene(builder.flat());
+  run.worker.loadScene(furnaceIn(hollow, kd, emission));
   std::vector<PathRay> rays;
   std::vector<Mean> means;
   std::vector<Suspicion> suspicions{
