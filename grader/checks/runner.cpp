@@ -34,9 +34,10 @@ std::uint64_t seedOf(const Check& check, std::uint64_t seed) {
 }
 
 // A worker that is started when it is needed, and again after it has died.
-class Bench {
+class RestartedWorker {
  public:
-  Bench(std::filesystem::path program, std::filesystem::path coursework, const RunOptions& options)
+  RestartedWorker(std::filesystem::path program, std::filesystem::path coursework,
+                  const RunOptions& options)
       : program_(std::move(program)), coursework_(std::move(coursework)), options_(options) {}
 
   WorkerProcess& worker() {
@@ -61,7 +62,8 @@ class Bench {
   std::unique_ptr<WorkerProcess> worker_;
 };
 
-Finding runOne(const Check& check, Bench& bench, std::uint64_t seed, stats::ErrorBudget& budget) {
+Finding runOne(const Check& check, RestartedWorker& bench, std::uint64_t seed,
+               stats::ErrorBudget& budget) {
   try {
     CheckRun run{bench.worker(), seedOf(check, seed), budget};
     return check.run(run);
@@ -99,11 +101,12 @@ FunctionResult* functionIn(PartResult& part, CourseworkFunction f) {
   return nullptr;
 }
 
-// What stands in the way of this check, by the results so far: a function that it needs.
+// What stands in the way of this check, by the results so far: a function that it needs. One that
+// is undecided stands in nobody's way: nothing wrong was found in it.
 std::string blockedBy(const Check& check, PartResult& part) {
   for (const CourseworkFunction f : check.needs) {
     const FunctionResult* needed = functionIn(part, f);
-    if (needed && needed->status != Status::kPass)
+    if (needed && severity(needed->status) > severity(Status::kUndecided))
       return fmt::format("{} {}", needed->function.section, needed->function.name);
   }
   return {};
@@ -123,7 +126,7 @@ bool isNeeded(const Check& check, std::span<const Check> all, const Selection& s
   });
 }
 
-void checkFunctions(PartResult& part, Bench& bench, const Selection& selection,
+void checkFunctions(PartResult& part, RestartedWorker& bench, const Selection& selection,
                     const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
   const StubReport stubs = makeStubReport(bench.worker().stubs());
   const std::span<const Check> all = checksOfPart(part.part.part);
@@ -170,7 +173,7 @@ PartResult checkPart(const CourseworkBuild& build, int number, const Selection& 
     part.failure = "does not link: " + linked.failure;
     return part;
   }
-  Bench bench(linked.worker, build.folder, options);
+  RestartedWorker bench(linked.worker, build.folder, options);
   try {
     checkFunctions(part, bench, selection, options, budget, progress);
   } catch (const WorkerError& e) {
@@ -192,7 +195,7 @@ std::string blockingPart(const CourseworkResults& results) {
 }
 
 // The first function, or part, without which there is no picture.
-std::string missing(const CourseworkBuild& build, Bench* bench) {
+std::string missing(const CourseworkBuild& build, RestartedWorker* bench) {
   for (const PartBuild& part : build.parts)
     if (!part.compiled) return fmt::format("part {}, which does not compile", part.part.part);
   if (bench == nullptr) return {};
@@ -206,7 +209,7 @@ std::string missing(const CourseworkBuild& build, Bench* bench) {
 struct Whole {
   std::string blocker;
   std::string failure;
-  std::unique_ptr<Bench> bench;
+  std::unique_ptr<RestartedWorker> bench;
 };
 
 Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
@@ -218,7 +221,7 @@ Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
   const LinkedWorker linked = linkWithStandIns(build, std::array{0, 1, 2, 3, 4, 5, 6});
   whole.failure = linked.failure;
   if (linked.worker.empty()) return whole;
-  whole.bench = std::make_unique<Bench>(linked.worker, build.folder, options);
+  whole.bench = std::make_unique<RestartedWorker>(linked.worker, build.folder, options);
   try {
     whole.blocker = missing(build, whole.bench.get());
   } catch (const WorkerError& e) {
