@@ -40,19 +40,4 @@ std::vector<Vector> awkwardNormals(std::uint64_t seed) {
   return normals;
 }
 
-Vector atCosine(const Vector& n, double cosine, double azimuth) {
-  return Vector(glm::normalize(DoubleFrame(glm::dvec3(n)).direction(cosine, azimuth)));
-}
-
-DoubleFrame::DoubleFrame(const glm::dvec3& axis) : n(glm::normalize(axis)) {
-  const glm::dvec3 other = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  u = glm::normalize(glm::cross(n, other));
-  v = glm::cross(n, u);
-}
-
-glm::dvec3 DoubleFrame::direction(double cosine, double azimuth) const {
-  const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-  return cosine * n + sine * (std::cos(azimuth) * u + std::sin(azimuth) * v);
-}
-
 }  // namespace pathmark::checks

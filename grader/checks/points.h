@@ -3,9 +3,10 @@
 //   Points          Owen-scrambled Sobol points, replicate by replicate
 //   Random          independent numbers
 //   kEdgeNumbers    s, t, u at which formulas go wrong first
-//   awkwardNormals, atCosine, DoubleFrame
+//   awkwardNormals  unit vectors on, next to and between the axes
 #pragma once
 
+#include "checks/double_frame.h"
 #include "sampling/sobol_sampler.h"
 
 #include <pathmark/types.h>
@@ -56,20 +57,5 @@ class Random {
 
 // Unit vectors on, next to and between the axes, and some at random.
 std::vector<Vector> awkwardNormals(std::uint64_t seed);
-
-// A unit vector at this cosine to the unit vector n (negative: below), at some azimuth.
-Vector atCosine(const Vector& n, double cosine, double azimuth);
-
-// An orthonormal frame in double around `axis`, which need not be exactly unit length.
-struct DoubleFrame {
-  glm::dvec3 u, n, v;
-
-  explicit DoubleFrame(const glm::dvec3& axis);
-  glm::dvec3 direction(double cosine, double azimuth) const;
-  // x along u, y along n, z along v.
-  glm::dvec3 local(const glm::dvec3& d) const {
-    return {glm::dot(d, u), glm::dot(d, n), glm::dot(d, v)};
-  }
-};
 
 }  // namespace pathmark::checks

@@ -6,6 +6,7 @@
 //   awkwardNormals   unit vectors on, next to and between the axes
 #pragma once
 
+#include "checks/double_frame.h"
 #include "tests/support/uniforms.h"
 
 #include <pathmark/types.h>
@@ -82,14 +83,6 @@ inline std::vector<Vector> awkwardNormals() {
   return normals;
 }
 
-// A unit vector at this cosine to the unit vector n (negative: below), at some azimuth.
-inline Vector atCosine(const Vector& n, double cosine, double azimuth) {
-  const glm::dvec3 axis(n);
-  const glm::dvec3 other = std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
-  const double sine = std::sqrt(1.0 - cosine * cosine);
-  return Vector(
-      glm::normalize(cosine * axis + sine * (std::cos(azimuth) * u + std::sin(azimuth) * v)));
-}
+using checks::atCosine;
 
 }  // namespace pathmark::testing

@@ -2,8 +2,9 @@
 //
 //   integrate             over an interval
 //   integrateDirections   over a zone of directions, in solid angle
-//   DoubleFrame           a frame to put directions in
 #pragma once
+
+#include "checks/double_frame.h"
 
 #include <pathmark/types.h>
 
@@ -34,26 +35,7 @@ double integrate(Function&& f, double a, double b, int panels = 1) {
   return sum;
 }
 
-// An orthonormal frame in double around `axis`, which need not be exactly unit length.
-struct DoubleFrame {
-  glm::dvec3 u, n, v;
-
-  explicit DoubleFrame(const glm::dvec3& axis) : n(glm::normalize(axis)) {
-    const glm::dvec3 other = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    u = glm::normalize(glm::cross(n, other));
-    v = glm::cross(n, u);
-  }
-
-  glm::dvec3 direction(double cosine, double azimuth) const {
-    const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-    return cosine * n + sine * (std::cos(azimuth) * u + std::sin(azimuth) * v);
-  }
-
-  double azimuth(const glm::dvec3& d) const {  // in [0, 2 pi)
-    const double angle = std::atan2(glm::dot(d, v), glm::dot(d, u));
-    return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
-  }
-};
+using checks::DoubleFrame;
 
 // Of f(direction) over the directions with cosine `low` to `high` to the axis.
 template <typename Function>
