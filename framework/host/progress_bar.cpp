@@ -34,13 +34,17 @@ ProgressBar::ProgressBar(std::string title)
     : title_(std::move(title)), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::show(const RenderStatus& status) {
+  const double rate = static_cast<double>(status.raysTraced) / std::max(status.seconds, 1e-9);
+  show(status.fraction, fmt::format("{:.1f} Mrays/s  {}", rate * 1e-6, timeLeft(status)));
+}
+
+void ProgressBar::show(double fraction, std::string_view what) {
   if (!terminal_ || lineOpen_) return;
   constexpr int kWidth = 24;
-  const int full = static_cast<int>(std::lround(status.fraction * kWidth));
-  const double rate = static_cast<double>(status.raysTraced) / std::max(status.seconds, 1e-9);
-  const std::string line = fmt::format("\r\033[K{} [{}{}] {:3.0f}%  {:.1f} Mrays/s  {}", title_,
-                                       std::string(full, '#'), std::string(kWidth - full, '.'),
-                                       100.0 * status.fraction, rate * 1e-6, timeLeft(status));
+  const int full = static_cast<int>(std::lround(fraction * kWidth));
+  const std::string line =
+      fmt::format("\r\033[K{} [{}{}] {:3.0f}%  {}", title_, std::string(full, '#'),
+                  std::string(kWidth - full, '.'), 100.0 * fraction, what);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;

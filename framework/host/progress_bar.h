@@ -1,4 +1,4 @@
-// ProgressBar: one line on a terminal that says how far a render is; nothing off a terminal.
+// ProgressBar: one line on a terminal that says how far a command is; nothing off a terminal.
 #pragma once
 
 #include "host/render_loop.h"
@@ -15,6 +15,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  // fraction in [0,1]; `what` stands behind it.
+  void show(double fraction, std::string_view what);
   void show(const RenderStatus& status);
   void clear();
 

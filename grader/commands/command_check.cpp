@@ -2,11 +2,11 @@
 #include "commands/check_session.h"
 #include "commands/commands.h"
 #include "commands/hints.h"
-#include "commands/progress_line.h"
 #include "commands/selection.h"
 #include "host/exit_code.h"
 #include "host/interrupt.h"
 #include "host/options.h"
+#include "host/progress_bar.h"
 #include "host/session.h"
 #include "report/results_json.h"
 #include "report/terminal.h"
@@ -21,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -60,19 +61,41 @@ void printHints(const checks::CourseworkResults& results, int count) {
   if (shown < hints.size()) print(fmt::format("  (--hint {} says more.)\n", shown + 1));
 }
 
-int checkOnce(CheckSession& session, const CheckArguments& arguments,
+// What the parts' threads show while they are checked.
+class Screen {
+ public:
+  void showProgress(double fraction, const std::string& id) {
+    const std::lock_guard lock(mutex_);
+    bar_.show(fraction, id);
+  }
+  void printAbove(std::string_view text) {
+    const std::lock_guard lock(mutex_);
+    bar_.printAbove(text);
+  }
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    bar_.clear();
+  }
+
+ private:
+  std::mutex mutex_;
+  ProgressBar bar_{"check"};
+};
+
+int checkOnce(CheckSession& session, Screen& screen, const CheckArguments& arguments,
               const std::filesystem::path& folder, const std::function<bool()>& goOn) {
   const report::Style style{showsColour(), arguments.with};
-  ProgressLine progress;
   checks::RunEvents events;
   events.goOn = goOn;
-  events.onProgress = [&](double fraction, const std::string& id) { progress.show(fraction, id); };
+  events.onProgress = [&](double fraction, const std::string& id) {
+    screen.showProgress(fraction, id);
+  };
   events.onFunctions = [&](const checks::CourseworkResults& results) {
-    progress.clear();
+    screen.clear();
     print(report::headline(results, folder) + report::functionLines(results, style));
   };
   const checks::CourseworkResults& results = session.run(events);
-  progress.clear();
+  screen.clear();
   print(report::imageLines(results, style) + report::sceneLines(results, style));
   if (arguments.hints > 0) printHints(results, arguments.hints);
   if (!arguments.json.empty()) report::writeJson(results, arguments.json);
@@ -84,7 +107,7 @@ int checkOnce(CheckSession& session, const CheckArguments& arguments,
 }
 
 // Until Ctrl-C. A save ends what is left of the pictures: they are of another program now.
-int watch(CheckSession& session, const CheckArguments& arguments,
+int watch(CheckSession& session, Screen& screen, const CheckArguments& arguments,
           const std::filesystem::path& folder) {
   std::string checked;
   while (!interrupted()) {
@@ -94,7 +117,8 @@ int watch(CheckSession& session, const CheckArguments& arguments,
       continue;
     }
     if (isatty(STDOUT_FILENO) == 1) print("\033[2J\033[3J\033[H");
-    checkOnce(session, arguments, folder, [&] { return !interrupted() && stampOf(folder) == now; });
+    checkOnce(session, screen, arguments, folder,
+              [&] { return !interrupted() && stampOf(folder) == now; });
     if (stampOf(folder) == now) print("\nWatching for changes; Ctrl-C ends.\n");
     checked = now;
   }
@@ -110,10 +134,11 @@ int check(const CheckArguments& arguments) {
   checks::RunOptions options;
   options.seed = arguments.seed;
   options.threads = arguments.threads;
-  options.onText = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
+  Screen screen;
+  options.onText = [&](std::string_view text) { screen.printAbove(text); };
   CheckSession session(folder, selectChecks(arguments.what), options);
-  if (arguments.watch) return watch(session, arguments, folder);
-  return checkOnce(session, arguments, folder, [] { return !interrupted(); });
+  if (arguments.watch) return watch(session, screen, arguments, folder);
+  return checkOnce(session, screen, arguments, folder, [] { return !interrupted(); });
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // pathmark study: do the checks accept what is right and find what is wrong, under many seeds?
 #include "commands/commands.h"
-#include "commands/progress_line.h"
 #include "host/build_config.h"
 #include "host/exit_code.h"
 #include "host/interrupt.h"
 #include "host/options.h"
+#include "host/progress_bar.h"
 #include "host/session.h"
 #include "study/study.h"
 #include "study/study_report.h"
@@ -80,7 +80,7 @@ int runStudyCommand(const StudyArguments& arguments) {
   const std::vector<study::StudySubject> subjects = subjectsOf(arguments);
   study::StudyLog log(arguments.log);
   const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-  ProgressLine progress;
+  ProgressBar progress("study");
   const auto goOn = [&](const study::StudyProgress& p) {
     progress.show(
         static_cast<double>(p.done) / static_cast<double>(std::max<std::size_t>(p.all, 1)),
