@@ -365,7 +365,7 @@ CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selec
   for (unsigned k = 1; k < threads; ++k) others.push_back(std::async(std::launch::async, work));
   work();
   for (std::future<void>& other : others) other.get();
-  if (events.known) addKnown(results, *events.known);
+  if (options.known) addKnown(results, *options.known);
   results.seconds = secondsSince(started);
   if (events.onFunctions) events.onFunctions(results);
   if (selection.images || selection.scenes) {

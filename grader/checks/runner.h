@@ -29,13 +29,13 @@ struct RunOptions {
   unsigned threads = 0;  // 0: one for each processor
   double secondsWithoutAnswer = 5.0;
   std::function<void(std::string_view)> onText;  // what the coursework prints
+
+  // Results of parts that are not selected this time, which become part of the new ones.
+  const CourseworkResults* known = nullptr;
 };
 
 // Called from several threads, but never from two at once.
 struct RunEvents {
-  // Results of parts that are not selected this time, which become part of the new ones.
-  const CourseworkResults* known = nullptr;
-
   std::function<void(double fraction, const std::string& id)> onProgress;
   std::function<void(const CourseworkResults&)> onFunctions;  // before the images
 

@@ -40,9 +40,9 @@ const checks::CourseworkResults& CheckSession::run(const checks::RunEvents& even
     if (now != madeOf_[number] || !find(results_, part)) changed.parts.push_back(part);
     madeOf_[number] = now;
   }
-  checks::RunEvents merged = events;
-  merged.known = &results_;
-  results_ = checks::runChecks(build, changed, options_, merged);
+  checks::RunOptions options = options_;
+  options.known = &results_;
+  results_ = checks::runChecks(build, changed, options, events);
   return results_;
 }
 

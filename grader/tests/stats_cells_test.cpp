@@ -1,4 +1,5 @@
 // The chi-square test of weighted cells, tested.
+#include "stats/cell_pools.h"
 #include "stats/weighted_cells.h"
 #include "tests/support/uniforms.h"
 
@@ -165,6 +166,15 @@ TEST(WeightedCells, FailWhatIsNotFiniteAndWhatIsTooLittle) {
   for (int i = 0; i < 10; ++i) few.add(0);
   EXPECT_FALSE(nan.test(std::vector<double>{0.5, 0.5}, 1e-7).pass);
   EXPECT_FALSE(few.test(std::vector<double>{0.5, 0.5}, 1e-7).pass);
+}
+
+TEST(CellPools, PutCellsOfSmallProbabilityTogether) {
+  const std::vector<double> probabilities{0.01, 0.5, 0.0, 0.02, 0.02, 0.45};
+  const CellPools pools(probabilities, 0.04);
+  ASSERT_EQ(pools.probabilities.size(), 3u);
+  EXPECT_NEAR(pools.probabilities[0], 0.05, 1e-15);
+  EXPECT_EQ(pools.poolOf[0], pools.poolOf[4]);
+  EXPECT_EQ(pools.poolOf[2], CellPools::kNone);
 }
 
 }  // namespace
