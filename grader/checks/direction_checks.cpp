@@ -80,6 +80,35 @@ std::vector<Mean> expectedMeans(const AxialDensity& q) {
 
 }  // namespace
 
+std::vector<DirectionDraw> drawsOf(Points& points, std::uint32_t pointsPerReplicate,
+                                   std::uint32_t first, std::uint32_t count) {
+  std::vector<DirectionDraw> draws;
+  draws.reserve(std::size_t{count} * pointsPerReplicate);
+  for (std::uint32_t r = first; r < first + count; ++r) {
+    points.start(r);
+    for (std::uint32_t m = 0; m < pointsPerReplicate; ++m) {
+      points.point(m);
+      const vec2 st = points.pair();
+      draws.push_back({st, points.single()});
+    }
+  }
+  return draws;
+}
+
+std::vector<DrawnDirection> drawReflections(CheckRun& run, CourseworkFunction reflection,
+                                            const Words& material, const Vector& wo,
+                                            const Vector& n,
+                                            const std::vector<DirectionDraw>& points) {
+  Calls calls(reflection, material);
+  for (const DirectionDraw& p : points) calls.add(wo, n, p.st, p.u);
+  const Results results = calls.run(run.worker);
+  std::vector<DrawnDirection> drawn;
+  drawn.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    drawn.push_back({results.vector(i, 0), results.number(i, 3)});
+  return drawn;
+}
+
 Finding judgeOwnDensity(CheckRun& run, const Vector& axis, const AxialDensity& q,
                         const DrawDirections& draw, const std::string& where,
                         std::uint32_t pointsPerReplicate,
@@ -88,16 +117,7 @@ Finding judgeOwnDensity(CheckRun& run, const Vector& axis, const AxialDensity& q
   Points points(run.seed, pointsPerReplicate);
   std::uint64_t calls = 0;
   const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
-    std::vector<DirectionDraw> draws;
-    draws.reserve(std::size_t{count} * pointsPerReplicate);
-    for (std::uint32_t r = first; r < first + count; ++r) {
-      points.start(r);
-      for (std::uint32_t m = 0; m < pointsPerReplicate; ++m) {
-        points.point(m);
-        const vec2 st = points.pair();
-        draws.push_back({st, points.single()});
-      }
-    }
+    const std::vector<DirectionDraw> draws = drawsOf(points, pointsPerReplicate, first, count);
     calls += draws.size();
     const std::vector<DrawnDirection> drawn = draw(draws);
     std::fill(values.begin(), values.end(), 0.0);
@@ -145,13 +165,9 @@ std::vector<double> momentsOf(const Vector& axis, const AxialDensity& q,
   constexpr std::uint32_t kPoints = 1u << 14;  // the means are exact to about 2e-4
   const DoubleFrame frame{glm::dvec3(axis)};
   Points points(0, kPoints);
-  points.start(0);
   std::vector<double> sums(kMeans, 0.0);
-  for (std::uint32_t m = 0; m < kPoints; ++m) {
-    points.point(m);
-    const vec2 st = points.pair();
-    addSample(q, frame, drawOne({st, points.single()}), 1.0 / kPoints, sums);
-  }
+  for (const DirectionDraw& point : drawsOf(points, kPoints, 0, 1))
+    addSample(q, frame, drawOne(point), 1.0 / kPoints, sums);
   return sums;
 }
 

@@ -4,6 +4,7 @@
 //   axialMoments, momentsOf   what judgeOwnDensity would see of a mistake
 #pragma once
 
+#include "checks/calls.h"
 #include "checks/means.h"
 #include "checks/points.h"
 
@@ -24,6 +25,16 @@ struct DirectionDraw {
 };
 using DrawDirections =
     std::function<std::vector<DrawnDirection>(const std::vector<DirectionDraw>&)>;
+
+// The points of `count` replicates from number `first` on.
+std::vector<DirectionDraw> drawsOf(Points& points, std::uint32_t pointsPerReplicate,
+                                   std::uint32_t first, std::uint32_t count);
+
+// The directions that a material's reflection draws with these points.
+std::vector<DrawnDirection> drawReflections(CheckRun& run, CourseworkFunction reflection,
+                                            const Words& material, const Vector& wo,
+                                            const Vector& n,
+                                            const std::vector<DirectionDraw>& points);
 
 // A density q around an axis, in which only the cosine matters, and its integral over the cosines
 // from `low` to `high` and all azimuths.

@@ -180,14 +180,7 @@ const AxialDensity kCosineDensity{
 
 std::vector<DrawnDirection> draw(CheckRun& run, const Vector& wo, const Vector& n,
                                  const std::vector<DirectionDraw>& points) {
-  Calls calls(F::kLambertianReflection, Words().add(kKd));
-  for (const DirectionDraw& p : points) calls.add(wo, n, p.st, p.u);
-  const Results results = calls.run(run.worker);
-  std::vector<DrawnDirection> drawn;
-  drawn.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    drawn.push_back({results.vector(i, 0), results.number(i, 3)});
-  return drawn;
+  return drawReflections(run, F::kLambertianReflection, Words().add(kKd), wo, n, points);
 }
 
 // A density other than the contract's is correct; what it costs is said.
@@ -195,14 +188,8 @@ std::string remarkOnNoise(CheckRun& run) {
   constexpr std::uint32_t kPoints = 4096;
   const Vector n(0, 1, 0), wo(0.6f, 0.8f, 0.0f);
   Points points(run.seed, kPoints);
-  points.start(0);
-  std::vector<DirectionDraw> draws;
-  for (std::uint32_t m = 0; m < kPoints; ++m) {
-    points.point(m);
-    draws.push_back({points.pair(), points.single()});
-  }
   stats::RunningMoments weights;
-  for (const DrawnDirection& d : draw(run, wo, n, draws))
+  for (const DrawnDirection& d : draw(run, wo, n, drawsOf(points, kPoints, 0, 1)))
     weights.add(d.pdf > 0.0 ? std::max(double{d.wi.y}, 0.0) / kPiD / d.pdf : 0.0);
   if (weights.variance() < 0.01) return {};
   return fmt::format(

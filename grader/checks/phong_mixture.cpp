@@ -133,15 +133,7 @@ std::vector<Suspicion> suspicionsOf(const MixtureCase& c, const Sums& sums,
   constexpr std::uint32_t kPoints = 1u << 10, kReplicates = 16;
   std::vector<Suspicion> suspicions;
   Points points(seed, kPoints);
-  std::vector<DirectionDraw> draws;
-  for (std::uint32_t r = 0; r < kReplicates; ++r) {
-    points.start(r);
-    for (std::uint32_t k = 0; k < kPoints; ++k) {
-      points.point(k);
-      const vec2 st = points.pair();
-      draws.push_back({st, points.single()});
-    }
-  }
+  const std::vector<DirectionDraw> draws = drawsOf(points, kPoints, 0, kReplicates);
   for (const PhongMistake& mistake : phongMistakes(c)) {
     Suspicion suspicion{mistake.text, std::vector<double>(kMeans, 0.0)};
     for (const DirectionDraw& p : draws) {
@@ -162,14 +154,8 @@ std::string MixtureCase::text() const {
 
 std::vector<DrawnDirection> drawPhong(CheckRun& run, const MixtureCase& c,
                                       const std::vector<DirectionDraw>& points) {
-  Calls calls(CourseworkFunction::kPhongReflection, c.material.words());
-  for (const DirectionDraw& p : points) calls.add(c.wo, c.n, p.st, p.u);
-  const Results results = calls.run(run.worker);
-  std::vector<DrawnDirection> drawn;
-  drawn.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    drawn.push_back({results.vector(i, 0), results.number(i, 3)});
-  return drawn;
+  return drawReflections(run, CourseworkFunction::kPhongReflection, c.material.words(), c.wo, c.n,
+                         points);
 }
 
 MixtureFinding judgeMixture(CheckRun& run, const MixtureCase& c, Follow follow) {
@@ -179,16 +165,7 @@ MixtureFinding judgeMixture(CheckRun& run, const MixtureCase& c, Follow follow) 
   std::uint64_t calls = 0;
   stats::RunningMoments weights;
   const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
-    std::vector<DirectionDraw> draws;
-    draws.reserve(std::size_t{count} * kPointsPerReplicate);
-    for (std::uint32_t r = first; r < first + count; ++r) {
-      points.start(r);
-      for (std::uint32_t k = 0; k < kPointsPerReplicate; ++k) {
-        points.point(k);
-        const vec2 st = points.pair();
-        draws.push_back({st, points.single()});
-      }
-    }
+    const std::vector<DirectionDraw> draws = drawsOf(points, kPointsPerReplicate, first, count);
     calls += draws.size();
     const std::vector<DrawnDirection> drawn = drawPhong(run, c, draws);
     std::fill(values.begin(), values.end(), 0.0);
