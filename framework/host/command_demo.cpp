@@ -74,7 +74,8 @@ int demo(std::uint64_t rays) {
   }
   fmt::print("\nThe pictures are in {}\n", displayPath(folder));
   if (code == kSuccess)
-    fmt::print("Next: ./pathmark status says what is written and what is not.\n");
+    fmt::print(
+        "Next: ./pathmark check says what is written, what is right, and what comes next.\n");
   return code;
 }
 

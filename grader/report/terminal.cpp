@@ -117,7 +117,11 @@ struct Counts {
 
 Counts count(const CourseworkResults& results) {
   Counts counts;
-  for (const PartResult& part : results.parts)
+  for (const PartResult& part : results.parts) {
+    if (!part.failure.empty()) {
+      for (const FunctionContract& f : contract()) counts.all += f.part == part.part.part ? 1 : 0;
+      continue;
+    }
     for (const FunctionResult& f : part.functions) {
       ++counts.all;
       if (f.status == Status::kPass)
@@ -129,6 +133,7 @@ Counts count(const CourseworkResults& results) {
       else
         ++counts.other;
     }
+  }
   return counts;
 }
 
@@ -141,7 +146,8 @@ std::string place(const FunctionResult& f, const std::filesystem::path& folder) 
 std::string todo(const CourseworkResults& results, const std::filesystem::path& folder) {
   for (const PartResult& part : results.parts)
     if (!part.failure.empty())
-      return fmt::format("mend {}, which {}", displayPath(folder / part.part.file), part.failure);
+      return fmt::format("mend {}, which {}.", displayPath(folder / part.part.file),
+                         part.failure.substr(0, part.failure.find(':')));
   const FunctionResult* next = nextFunction(results);
   if (next == nullptr) return {};
   return fmt::format("{} {}", next->status == Status::kNotWritten ? "write" : "mend",
@@ -216,7 +222,7 @@ std::string functionLines(const CourseworkResults& results, const Style& style) 
     text += fmt::format("\nPart {}  {}\n", part.part.part, part.part.title);
     if (!part.failure.empty())
       text += fmt::format("  {} {} {}\n", statusColumn(Status::kBroken, style), part.part.file,
-                          part.failure);
+                          part.failure.substr(0, part.failure.find_last_not_of('\n') + 1));
     for (const FunctionResult& f : part.functions) text += functionLine(f, results.seed, style);
   }
   return text;
