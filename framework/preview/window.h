@@ -1,0 +1,88 @@
+// The window on the screen: GLFW, OpenGL 3.3 core, Dear ImGui.
+//
+//   Window        opens it, draws frames into it
+//   Texture       pixels that an interface can show
+//   DisplayError  a sentence: why there is no window
+//
+// For the thread that runs main only, except wake().
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace pathmark::preview {
+
+class DisplayError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct WindowOptions {
+  int width = 1280, height = 800;  // in the screen's coordinates
+  std::string title;
+  double scale = 0.0;  // of the interface; 0: the screen's own
+};
+
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;  // row by row from the top
+};
+
+class Window {
+ public:
+  // Throws DisplayError.
+  explicit Window(const WindowOptions& options);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  bool open() const;  // false once the user has closed it
+  void close();
+
+  float scale() const { return scale_; }
+  int width() const;
+  int height() const;
+  void setTitle(const std::string& title);
+
+  // Returns after the user has done something, wake() was called, or so many seconds are over;
+  // returns true for all but the last.
+  bool wait(double seconds);
+
+  // Any thread.
+  static void wake();
+
+  // A frame: `draw` makes the interface.
+  void drawFrame(const std::function<void()>& draw);
+
+  // What the last frame shows.
+  Pixels pixels() const;
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  float scale_ = 1.0f;
+  std::string title_;
+};
+
+class Texture {
+ public:
+  Texture();  // of a window that is open
+  ~Texture();
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+
+  // Four values a pixel, sRGB as it is to be seen.
+  void upload(int width, int height, std::span<const std::uint8_t> rgba);
+
+  void* id() const { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(name_)); }
+
+ private:
+  unsigned name_ = 0;
+};
+
+}  // namespace pathmark::preview
