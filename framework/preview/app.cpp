@@ -106,6 +106,7 @@ std::string App::title() const {
   text += fmt::format(": {}, {}, {:.4g} rays per pixel", picture.scene->loaded.name,
                       picture.coursework, picture.raysPerPixel);
   if (!state_->buildFailure.empty()) text += ", does not compile";
+  if (!state_->sceneFailure.empty()) text += ", the scene cannot be used";
   if (!state_->workerFailure.empty()) text += ", stopped";
   return text;
 }
