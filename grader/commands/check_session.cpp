@@ -1,8 +1,5 @@
 #include "commands/check_session.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <utility>
 
 namespace pathmark {
@@ -44,21 +41,6 @@ const checks::CourseworkResults& CheckSession::run(const checks::RunEvents& even
   options.known = &results_;
   results_ = checks::runChecks(build, changed, options, events);
   return results_;
-}
-
-std::string stampOf(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const PartContract& part : parts()) files.push_back(folder / part.file);
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder / "scenes", error))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::string text;
-  for (const fs::path& file : files) {
-    const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-    text += fmt::format("{} {} {}\n", file.string(), error ? 0 : time, fs::file_size(file, error));
-  }
-  return text;
 }
 
 }  // namespace pathmark

@@ -29,7 +29,4 @@ class CheckSession {
   checks::CourseworkResults results_;
 };
 
-// Changes whenever a coursework file or a scene of its own does; for watching a folder.
-std::string stampOf(const std::filesystem::path& folder);
-
 }  // namespace pathmark

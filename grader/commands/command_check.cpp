@@ -3,6 +3,7 @@
 #include "commands/commands.h"
 #include "commands/hints.h"
 #include "commands/selection.h"
+#include "host/coursework_stamp.h"
 #include "host/exit_code.h"
 #include "host/interrupt.h"
 #include "host/options.h"
