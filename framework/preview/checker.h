@@ -81,9 +81,8 @@ class Checker {
 };
 
 struct CheckerOptions {
-  std::string with = "student";  // the coursework, as the command line names it
-  std::uint64_t seed = 1;        // of the random inputs
-  unsigned threads = 1;          // parts that are checked at the same time
+  std::uint64_t seed = 1;  // of the random inputs
+  unsigned threads = 1;    // parts that are checked at the same time
 };
 
 // The grader defines it.

@@ -52,11 +52,23 @@ ProgressPanel::ProgressPanel(HintSource hints) : details_(std::move(hints)) {}
 
 void ProgressPanel::update(const Frame& frame) {
   if (frame.coursework == coursework_ && frame.checks == checks_) return;
+  const bool sameFolder = coursework_ && coursework_->build && frame.coursework->build &&
+                          coursework_->build->folder == frame.coursework->build->folder;
+  if (!sameFolder) {
+    known_.reset();
+    firstOfFolder_ = frame.coursework->number;
+  }
   coursework_ = frame.coursework;
-  if (frame.checks && frame.checks != checks_)
+  if (frame.checks && frame.checks != checks_ && frame.checks->build >= firstOfFolder_)
     known_ = withOlder(*frame.checks, known_ ? &*known_ : nullptr);
   checks_ = frame.checks;
   progress_ = progressOf(*coursework_, known_ ? &*known_ : nullptr);
+}
+
+bool ProgressPanel::busy(const Frame& frame) {
+  const CheckReport* checks = frame.checks.get();
+  if (!frame.coursework->build) return false;
+  return checks == nullptr || !checks->finished || checks->build != frame.coursework->number;
 }
 
 void ProgressPanel::choose(CourseworkFunction function) {

@@ -18,6 +18,9 @@ class ProgressPanel {
 
   void draw(const Frame& frame);
 
+  // Whether it will show more of this coursework without anything being done.
+  static bool busy(const Frame& frame);
+
   // Called when a function is chosen; may be empty.
   std::function<void(CourseworkFunction)> onChoose;
 
@@ -34,6 +37,7 @@ class ProgressPanel {
   std::shared_ptr<const CourseworkState> coursework_;  // that progress_ is made from
   std::shared_ptr<const CheckReport> checks_;
   std::optional<CheckReport> known_;  // of checks_, and of older ones
+  std::uint64_t firstOfFolder_ = 0;   // CourseworkState::number; builds before are of another one
   Progress progress_;
   std::optional<CourseworkFunction> chosen_;
   bool scrollToChosen_ = false;

@@ -1,5 +1,7 @@
 #include "preview/check_report.h"
 
+#include "host/coursework_builder.h"
+#include "host/display_path.h"
 #include "report/terminal.h"
 
 #include <fmt/format.h>
@@ -31,6 +33,13 @@ Outcome outcomeOf(checks::Status status) {
       break;
   }
   return Outcome::kBlocked;
+}
+
+// As the command line takes it.
+std::string wordFor(const std::filesystem::path& folder) {
+  for (const char* own : {"student", "solutions"})
+    if (folder == courseworkFolder(own)) return own;
+  return displayPath(folder);
 }
 
 CheckLine lineOf(const checks::CheckResult& result, std::uint64_t seed, const std::string& with) {
@@ -66,7 +75,8 @@ FunctionVerdict verdictOf(const checks::FunctionResult& result, std::uint64_t se
 }  // namespace
 
 CheckReport reportOf(const checks::CourseworkResults& results, std::uint64_t build,
-                     const std::string& with) {
+                     const std::filesystem::path& folder) {
+  const std::string with = wordFor(folder);
   CheckReport report;
   report.build = build;
   for (const FunctionContract& f : contract()) {
@@ -85,8 +95,8 @@ CheckReport reportOf(const checks::CourseworkResults& results, std::uint64_t bui
 }
 
 CheckReport finishedReport(const checks::CourseworkResults& results, std::uint64_t build,
-                           const std::string& with, const std::filesystem::path& folder) {
-  CheckReport report = reportOf(results, build, with);
+                           const std::filesystem::path& folder) {
+  CheckReport report = reportOf(results, build, folder);
   report.finished = true;
   report.fraction = 1.0;
   report.headline = report::standing(results, folder);

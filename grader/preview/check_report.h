@@ -4,17 +4,17 @@
 #include "checks/results.h"
 #include "preview/checker.h"
 
+#include <cstdint>
 #include <filesystem>
-#include <string>
 
 namespace pathmark {
 
-// What is in the results; all other functions are unknown. `with` names the coursework in commands.
+// What is in the results; all other functions are unknown. `folder` is that of the coursework.
 preview::CheckReport reportOf(const checks::CourseworkResults& results, std::uint64_t build,
-                              const std::string& with);
+                              const std::filesystem::path& folder);
 
 // The same, with what is said of all functions together.
 preview::CheckReport finishedReport(const checks::CourseworkResults& results, std::uint64_t build,
-                                    const std::string& with, const std::filesystem::path& folder);
+                                    const std::filesystem::path& folder);
 
 }  // namespace pathmark

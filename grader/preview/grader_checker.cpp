@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -24,10 +25,10 @@ using OnReport = std::function<void(std::shared_ptr<const CheckReport>)>;
 class RunningReport {
  public:
   RunningReport(const CheckSession& session, const CourseworkBuild& build, std::uint64_t number,
-                const CheckerOptions& options, const OnReport& onReport)
-      : number_(number), options_(options), onReport_(onReport) {
+                std::uint64_t seed, const OnReport& onReport)
+      : number_(number), folder_(build.folder), onReport_(onReport) {
     const std::vector<int> changed = session.changedParts(build);
-    known_.seed = options.seed;
+    known_.seed = seed;
     for (const checks::PartResult& part : session.results().parts)
       if (std::find(changed.begin(), changed.end(), part.part.part) == changed.end())
         known_.parts.push_back(part);
@@ -46,14 +47,14 @@ class RunningReport {
 
  private:
   void tell() {
-    CheckReport report = reportOf(known_, number_, options_.with);
+    CheckReport report = reportOf(known_, number_, folder_);
     report.fraction = fraction_;
     report.current = current_;
     onReport_(std::make_shared<const CheckReport>(std::move(report)));
   }
 
   std::uint64_t number_;
-  const CheckerOptions& options_;
+  const std::filesystem::path& folder_;
   const OnReport& onReport_;
   checks::CourseworkResults known_;
   double fraction_ = 0.0;
@@ -71,7 +72,7 @@ class GraderChecker : public preview::Checker {
       checkNow(build, number, stop, onReport);
     } catch (const std::exception& e) {
       if (stop.stop_requested()) return;
-      CheckReport report = reportOf({}, number, options_.with);
+      CheckReport report = reportOf({}, number, build.folder);
       report.finished = true;
       report.headline = fmt::format("Nothing could be checked: {}", e.what());
       onReport(std::make_shared<const CheckReport>(std::move(report)));
@@ -102,7 +103,7 @@ class GraderChecker : public preview::Checker {
 
   void checkNow(const CourseworkBuild& build, std::uint64_t number, std::stop_token stop,
                 const OnReport& onReport) {
-    RunningReport running(session_, build, number, options_, onReport);
+    RunningReport running(session_, build, number, options_.seed, onReport);
     checks::RunEvents events;
     events.goOn = [&] { return !stop.stop_requested(); };
     events.onProgress = [&](double fraction, const std::string& id) {
@@ -111,8 +112,7 @@ class GraderChecker : public preview::Checker {
     events.onPart = [&](const checks::PartResult& part) { running.add(part); };
     const checks::CourseworkResults& results = session_.run(build, events);
     if (stop.stop_requested()) return;
-    onReport(std::make_shared<const CheckReport>(
-        finishedReport(results, number, options_.with, build.folder)));
+    onReport(std::make_shared<const CheckReport>(finishedReport(results, number, build.folder)));
   }
 
   CheckerOptions options_;

@@ -62,7 +62,7 @@ const CheckLine& lineOf(const CheckReport& report, F function, const std::string
 
 TEST(PreviewChecker, SaysOfTheSolutionsThatAllIsRightAndChecksOnlyWhatHasChangedAgain) {
   CourseworkCopy copy;
-  const auto checker = makeChecker({copy.with()});
+  const auto checker = makeChecker({});
   const std::vector<Report> first = checkAll(*checker, copy.path(), 1);
   const CheckReport& right = *first.back();
   EXPECT_TRUE(right.finished);
@@ -99,7 +99,7 @@ class PreviewCheckerOfOnePart : public testing::Test {
   }
 
   CourseworkCopy copy;
-  std::unique_ptr<Checker> checker = makeChecker({copy.with()});
+  std::unique_ptr<Checker> checker = makeChecker({});
 };
 
 TEST_F(PreviewCheckerOfOnePart, TellsOfAMistakeWhatTheCommandTells) {
