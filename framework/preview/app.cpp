@@ -47,7 +47,8 @@ App::App(Window& window, AppOptions options)
       part_(options_.part >= 0 ? options_.part : 5),
       openTab_(options_.tab),
       stops_(options_.exposureStops),
-      panels_(std::make_unique<Panels>()) {
+      panels_(std::make_unique<Panels>(
+          wake_, [this](CourseworkFunction f) { choosePart(contractOf(f).part); })) {
   request_.estimator = part_ == 0 ? Estimator::kWarmUp : Estimator::kPath;
   engine_ = std::make_unique<Engine>(request_, wake_);
   state_ = engine_->state();
@@ -121,6 +122,7 @@ Frame App::makeFrame() const {
   Frame frame;
   frame.picture = state_->picture;
   frame.coursework = state_->coursework;
+  frame.checks = panels_->checks();
   frame.part = part_;
   frame.scale = window_.scale();
   frame.exposure = exposure();

@@ -26,7 +26,7 @@ class App {
   int run();
 
  private:
-  struct Panels;
+  class Panels;
 
   void showFrame(Pixels* seen = nullptr);
   void draw(const std::vector<KeyPress>& pressed);

@@ -1,12 +1,25 @@
-// The panels of the app.
+// The panels of the app, and what feeds them.
 #pragma once
 
 #include "preview/app.h"
+#include "preview/check_feed.h"
+#include "preview/progress_panel.h"
+
+#include <functional>
+#include <vector>
 
 namespace pathmark::preview {
 
-struct App::Panels {
+class App::Panels {
+ public:
+  // `choose` is called when a function is chosen in a panel.
+  Panels(std::function<void()> wake, std::function<void(CourseworkFunction)> choose);
+
+  // Before a frame is drawn.
   void takeNews(const EngineState& state);
+
+  std::shared_ptr<const CheckReport> checks() const { return feed_.report(); }
+
   void draw(Tab tab, const Frame& frame);
   void drawDisplay();
   void drawOver(const Frame& frame, const Placement& placement);
@@ -16,8 +29,11 @@ struct App::Panels {
   // Whether a panel will show more than it does now without anything being done.
   bool busy(Tab tab, const Frame& frame) const;
 
-  std::vector<std::uint8_t> rgba;
-  std::uint64_t version = 0;
+ private:
+  CheckFeed feed_;
+  ProgressPanel progress_;
+  std::vector<std::uint8_t> rgba_;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace pathmark::preview
