@@ -9,7 +9,10 @@ namespace pathmark::preview {
 App::Panels::Panels(std::function<void()> wake, std::function<void(CourseworkFunction)> choose)
     : feed_(makeChecker({}), std::move(wake)),
       progress_([this](CourseworkFunction f) { return feed_.hints(f); }) {
-  progress_.onChoose = std::move(choose);
+  progress_.onChoose = [this, choose = std::move(choose)](CourseworkFunction function) {
+    samples_.choose(function);
+    choose(function);
+  };
 }
 
 void App::Panels::takeNews(const EngineState& state) { feed_.submit(state.coursework); }
@@ -20,6 +23,8 @@ void App::Panels::draw(Tab tab, const Frame& frame) {
       progress_.draw(frame);
       break;
     case Tab::kSamples:
+      samples_.draw(frame);
+      break;
     case Tab::kPaths:
     case Tab::kCompare:
     case Tab::kView:
@@ -32,7 +37,8 @@ void App::Panels::drawOver(const Frame&, const Placement&) {}
 void App::Panels::pick(int, int) {}
 
 bool App::Panels::busy(Tab tab, const Frame& frame) const {
-  return tab == Tab::kProgress && ProgressPanel::busy(frame);
+  return (tab == Tab::kProgress && ProgressPanel::busy(frame)) ||
+         (tab == Tab::kSamples && samples_.busy(frame));
 }
 
 ShownPixels App::Panels::shown(const Frame& frame) {

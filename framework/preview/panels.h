@@ -4,6 +4,7 @@
 #include "preview/app.h"
 #include "preview/check_feed.h"
 #include "preview/progress_panel.h"
+#include "preview/sample_panel.h"
 
 #include <functional>
 #include <vector>
@@ -32,6 +33,7 @@ class App::Panels {
  private:
   CheckFeed feed_;
   ProgressPanel progress_;
+  SamplePanel samples_;
   std::vector<std::uint8_t> rgba_;
   std::uint64_t version_ = 0;
 };
