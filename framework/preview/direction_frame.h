@@ -34,16 +34,11 @@ struct DirectionFrame {
     return cosine * n + sine * (std::cos(azimuth) * u + std::sin(azimuth) * v);
   }
 
-  // In [0, 2 pi).
-  double azimuth(const glm::dvec3& d) const {
-    const double angle = std::atan2(glm::dot(d, v), glm::dot(d, u));
-    return angle < 0.0 ? std::min(angle + 2.0 * std::numbers::pi,
-                                  std::nexttoward(2.0 * std::numbers::pi, 0.0L))
-                       : angle;
+  // The azimuth of a direction in turns: in [0,1], 1 only by rounding.
+  double turn(const glm::dvec3& d) const {
+    const double angle = std::atan2(glm::dot(d, v), glm::dot(d, u)) / (2.0 * std::numbers::pi);
+    return angle < 0.0 ? angle + 1.0 : angle;
   }
-
-  // In [0,1).
-  double turn(const glm::dvec3& d) const { return azimuth(d) / (2.0 * std::numbers::pi); }
 };
 
 }  // namespace pathmark::preview

@@ -1,7 +1,7 @@
 #include "preview/phong_domain.h"
 
-#include "preview/axial_domain.h"
 #include "preview/cosine_lobe.h"
+#include "preview/domain_parts.h"
 #include "preview/sketch_parts.h"
 
 namespace pathmark::preview {

@@ -163,7 +163,7 @@ void SamplePanel::chooseLook(const SampleAnswer& answer) {
 void SamplePanel::showNumbers(const SampleAnswer& answer, float scale) {
   const SampleSet& set = answer.set;
   if (answer.kind != SampleAnswer::Kind::kSamples) return;
-  if (set.claims) ImGui::Checkbox("weighted by expected / claimed density", &weighted_);
+  if (set.claims) ImGui::Checkbox("weighted by expected / claimed", &weighted_);
   const bool weighted = weighted_ && set.claims;
   const SampleView& view = weighted ? set.weighted : set.plain;
   drawHistograms(view.histograms, set.samples.size(), scale);

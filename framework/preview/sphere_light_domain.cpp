@@ -1,6 +1,6 @@
 #include "preview/sphere_light_domain.h"
 
-#include "preview/axial_domain.h"
+#include "preview/domain_parts.h"
 #include "preview/sketch_parts.h"
 
 namespace pathmark::preview {

@@ -1,6 +1,6 @@
 #include "preview/square_domain.h"
 
-#include "preview/axial_domain.h"
+#include "preview/domain_parts.h"
 
 #include <pathmark/camera.h>
 
@@ -14,7 +14,9 @@ class SquareDomain : public SampleDomain {
   SquareDomain(bool downwards, int strata) : downwards_(downwards), strata_(strata) {}
 
   double density(const glm::dvec3& place) const override {
-    const auto within = [](double x) { return x >= -kRounding && x < 1.0 + kRounding; };
+    // Film points are known up to rounding; numbers are what they are.
+    const double rounding = downwards_ ? 1e-5 : 0.0;
+    const auto within = [&](double x) { return x >= -rounding && x < 1.0 + rounding; };
     return within(place.x) && within(place.y) && place.z == 0.0 ? 1.0 : 0.0;
   }
 
@@ -44,7 +46,7 @@ class SquareDomain : public SampleDomain {
       sketch.strokes.push_back({kind, {shown({x, 0, 0}), shown({x, 1, 0})}});
       sketch.strokes.push_back({kind, {shown({0, x, 0}), shown({1, x, 0})}});
     }
-    sketch.captions.push_back({shown({1.05, downwards_ ? 0.0 : 0.0, 0}), "x"});
+    sketch.captions.push_back({shown({1.05, 0, 0}), "x"});
     sketch.captions.push_back({shown({0.0, 1.05, 0}), "y"});
     return sketch;
   }
@@ -54,9 +56,6 @@ class SquareDomain : public SampleDomain {
   }
 
  private:
-  // Float film points of a pixel next to the origin of the film.
-  static constexpr double kRounding = 1e-5;
-
   bool downwards_;
   int strata_;
 };

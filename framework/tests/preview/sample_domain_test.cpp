@@ -187,7 +187,7 @@ TEST(SampleDomain, NothingIsExpectedOffTheDomain) {
   EXPECT_EQ(density(F::kSampleSphere, {0.0, 0.0, 1.1}), 0.0);
   EXPECT_EQ(density(F::kSampleHemisphere, {0.0, 0.0, -1.0}), 0.0);
   EXPECT_EQ(density(F::kLambertianReflection, {0.0, -1.0, 0.0}), 0.0);
-  EXPECT_EQ(density(F::kGetRandomNumbers, {1.5, 0.5, 0.0}), 0.0);
+  EXPECT_EQ(density(F::kGetRandomNumbers, {1.0, 0.5, 0.0}), 0.0);
   EXPECT_EQ(density(F::kPolygonSampling, {0.1, 0.2, 0.3}), 0.0);
   EXPECT_EQ(density(F::kSphereSample, {0.0, 0.0, 0.0}), 0.0);
 }
