@@ -55,15 +55,15 @@ void ComparePanel::drawOver(const Frame& frame, const Placement& placement) {
   drawCompareOverlay({frame, placement, maker_.view(), result}, slider_);
 }
 
-void ComparePanel::drawDisplay(const Frame& frame) {
+void ComparePanel::drawDisplay() {
   constexpr const char* kCurves[] = {"clip, as in PNG files", "Reinhard", "filmic (ACES fit)"};
   int curve = static_cast<int>(display_.curve);
-  ImGui::SetNextItemWidth(200.0f * frame.scale);
+  ImGui::SetNextItemWidth(13.0f * ImGui::GetFontSize());
   if (ImGui::Combo("tone curve", &curve, kCurves, 3))
     display_.curve = static_cast<ToneCurve>(curve);
   if (display_.curve != ToneCurve::kReinhard) return;
   auto white = static_cast<float>(display_.white);
-  ImGui::SetNextItemWidth(200.0f * frame.scale);
+  ImGui::SetNextItemWidth(13.0f * ImGui::GetFontSize());
   if (ImGui::SliderFloat("white", &white, 1.0f, 100.0f, "%.1f",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     display_.white = static_cast<double>(white);

@@ -60,7 +60,7 @@ void answerLoadScene(const Message& request, WorkerState& state) {
 void answerRender(const Message& request, const WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
   if (!body || !state.scene || body->job.threads > kMaxThreads) return sendReply(request, {});
-  const SimpleCamera& camera = state.scene->camera();
+  const SimpleCamera camera = cameraOf(*state.scene, body->job);
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
   const auto block = SharedBlock::map(request.descriptor, body->bytes, true);
