@@ -2,7 +2,6 @@
 
 #include "preview/compare_overlay.h"
 #include "preview/compare_widgets.h"
-#include "preview/known_noise.h"
 
 #include <imgui.h>
 
@@ -111,7 +110,7 @@ void ComparePanel::drawReferenceChoice(const Frame& frame) {
   }
   ImGui::EndDisabled();
   if (!possible && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-    ImGui::SetTooltip("When its noise is known: with %u independent parts.", kFewestReplicates);
+    ImGui::SetTooltip("When its noise is known.");
 }
 
 void ComparePanel::draw(const Frame& frame) {
@@ -123,9 +122,10 @@ void ComparePanel::draw(const Frame& frame) {
   const bool current = result_ && result_->wish == wish_.number;
   const CompareResult* result = current ? result_.get() : nullptr;
   drawViewChoice(view_, result != nullptr && result->found.reference != nullptr);
-  if (isFalseColour(view_)) drawColourBar(view_, result, frame.scale);
   ImGui::Separator();
   drawReferenceChoice(frame);
+  ImGui::Separator();
+  if (isFalseColour(view_)) drawColourBar(view_, result, frame.scale);
   if (result == nullptr) {
     ImGui::TextDisabled("Comparing ...");
     return;
