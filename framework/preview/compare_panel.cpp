@@ -98,7 +98,7 @@ void ComparePanel::drawReferenceChoice(const Frame& frame) {
   };
   choice("of the scene", ReferenceSource::kShipped);
   ImGui::SameLine();
-  choice("kept picture", ReferenceSource::kKept);
+  choice("kept", ReferenceSource::kKept);
   ImGui::SameLine();
   choice("file", ReferenceSource::kFile);
   if (wish_.source == ReferenceSource::kFile) drawFileField(frame);

@@ -84,8 +84,8 @@ std::string inPercent(const RegionResult& channel, double value) {
 }  // namespace
 
 void drawViewChoice(View& view, bool hasReference) {
-  constexpr const char* kNames[] = {"picture",     "reference",  "slider",
-                                    "error (+/-)", "z of tiles", "noise"};
+  constexpr const char* kNames[] = {"picture", "reference",  "slider",
+                                    "error",   "z of tiles", "noise"};
   if (!ImGui::BeginTable("views", 3)) return;
   for (int k = 0; k < 6; ++k) {
     const auto choice = static_cast<View>(k);

@@ -51,7 +51,6 @@ void addCurves(LogPlot& plot, const CompareResult& result, bool byTime) {
 // Noise falls in proportion to one over the rays: a line of that slope, below the first point of
 // the last curve. And the level that the reference's own noise sets.
 void addGuides(LogPlot& plot, const CompareResult& result) {
-  if (plot.curves.empty()) return;
   double from = plot.curves.back().points.front().x, to = from;
   for (const PlotCurve& curve : plot.curves)
     for (const PlotPoint& point : curve.points) {
@@ -85,6 +84,8 @@ void drawErrorCurves(const CompareResult& result, bool& byTime, float height, fl
                .yName = "relative mean squared error",
                .curves = {}};
   addCurves(plot, result, byTime);
+  if (plot.curves.empty())
+    return ImGui::TextDisabled("There is nothing to draw before the noise is known.");
   addGuides(plot, result);
   plot.draw(height, scale);
 }

@@ -16,15 +16,16 @@ constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 const char* channelOf(const RegionResult& region) { return kChannels[region.channel]; }
 
-// "-1.9 %"; empty where it would say nothing.
+// " (-1.92 %)"; empty where it would say nothing.
 std::string inPercent(const RegionResult& region) {
   if (!(region.b > 0.0)) return {};
-  return fmt::format(" ({:+.2g} %)", 100.0 * (region.a / region.b - 1.0));
+  return fmt::format(" ({:+.3g} %)", 100.0 * (region.a / region.b - 1.0));
 }
 
 std::string numbersOf(const RegionResult& region) {
-  return fmt::format("{} {:.4g} instead of {:.4g}{}, {:+.1f} standard errors", channelOf(region),
-                     region.a, region.b, inPercent(region), region.z);
+  const int digits = std::abs(region.z) < 100.0 ? 1 : 0;
+  return fmt::format("{} {:.4g} instead of {:.4g}{}, {:+.{}f} standard errors", channelOf(region),
+                     region.a, region.b, inPercent(region), region.z, digits);
 }
 
 bool lessLikely(const RegionResult& x, const RegionResult& y) {
