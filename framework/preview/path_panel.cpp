@@ -64,6 +64,8 @@ void PathPanel::followPicture(const Frame& frame) {
   request_->coursework = frame.coursework;
   request_->estimator = seen.estimator;
   request_->sampler = seen.sampler;
+  request_->seed = seen.seed;
+  request_->raysPerPass = seen.raysPerPass;
   request_->rays = static_cast<std::uint32_t>(rays_);
   request_->column = column;
   request_->row = row;

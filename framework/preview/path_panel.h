@@ -24,6 +24,9 @@ class PathPanel {
   void draw(const Frame& frame);
   void drawOver(const Frame& frame, const Placement& placement);
 
+  // Whether it will show more without anything being done.
+  bool busy() const { return picked_.has_value() || engine_.working(); }
+
  private:
   void follow(const Frame& frame);
   void followPicture(const Frame& frame);
