@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <string_view>
+#include <utility>
 
 namespace pathmark::preview {
 
@@ -47,7 +47,8 @@ App::App(Window& window, AppOptions options)
       part_(options_.part >= 0 ? options_.part : 5),
       openTab_(options_.tab),
       stops_(options_.exposureStops),
-      panels_(std::make_unique<Panels>()) {
+      panels_(std::make_unique<Panels>(
+          wake_, [this](CourseworkFunction f) { choosePart(contractOf(f).part); })) {
   request_.estimator = part_ == 0 ? Estimator::kWarmUp : Estimator::kPath;
   engine_ = std::make_unique<Engine>(request_, wake_);
   state_ = engine_->state();
@@ -92,6 +93,10 @@ void App::takeNews() {
     apply();
   }
   panels_->takeNews(*state_);
+  if (options_.pick && state_->picture) {
+    const auto [column, row] = *std::exchange(options_.pick, std::nullopt);
+    panels_->pick(column, row);
+  }
   if (request_.moving && ImGui::GetTime() - cameraMovedAt_ > kSettleSeconds) {
     request_.moving = false;
     apply();
@@ -106,6 +111,7 @@ std::string App::title() const {
   text += fmt::format(": {}, {}, {:.4g} rays per pixel", picture.scene->loaded.name,
                       picture.coursework, picture.raysPerPixel);
   if (!state_->buildFailure.empty()) text += ", does not compile";
+  if (!state_->sceneFailure.empty()) text += ", the scene cannot be used";
   if (!state_->workerFailure.empty()) text += ", stopped";
   return text;
 }
@@ -120,6 +126,7 @@ Frame App::makeFrame() const {
   Frame frame;
   frame.picture = state_->picture;
   frame.coursework = state_->coursework;
+  frame.checks = panels_->checks();
   frame.part = part_;
   frame.scale = window_.scale();
   frame.exposure = exposure();
@@ -185,9 +192,9 @@ void App::savePicture(const std::filesystem::path& file) {
       .sceneHash = picture.fileCamera ? picture.scene->hash : std::string(),
       .coursework = picture.coursework,
       .raysPerPixel = picture.raysPerPixel,
-      .raysPerPass = raysPerPass(static_cast<std::uint64_t>(picture.raysPerPixel)),
+      .raysPerPass = picture.raysPerPass,
       .replicates = std::max(1u, picture.replicates),
-      .seed = request_.seed,
+      .seed = picture.seed,
       .sampler = std::string(kSamplerNames[static_cast<std::size_t>(picture.sampler)]),
       .seconds = picture.seconds};
   try {

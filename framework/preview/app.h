@@ -26,7 +26,7 @@ class App {
   int run();
 
  private:
-  struct Panels;
+  class Panels;
 
   void showFrame(Pixels* seen = nullptr);
   void draw(const std::vector<KeyPress>& pressed);
@@ -64,6 +64,7 @@ class App {
   std::uint64_t poseOf_ = 0;     // EngineState::sceneNumber
   double cameraMovedAt_ = -1e9;  // seconds, of ImGui's clock
   int part_ = 5;
+  Tab tab_ = Tab::kProgress;    // that is seen
   std::optional<Tab> openTab_;  // to be opened in this frame
   double stops_ = 0.0;
   bool help_ = false;

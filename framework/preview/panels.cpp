@@ -1,27 +1,60 @@
 #include "preview/panels.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace pathmark::preview {
 
-void App::Panels::takeNews(const EngineState&) {}
-void App::Panels::draw(Tab, const Frame&) {}
-void App::Panels::drawDisplay() {}
-void App::Panels::drawOver(const Frame&, const Placement&) {}
-void App::Panels::pick(int, int) {}
-bool App::Panels::busy(Tab, const Frame&) const { return false; }
+App::Panels::Panels(std::function<void()> wake, std::function<void(CourseworkFunction)> choose)
+    : feed_(makeChecker({}), std::move(wake)),
+      progress_([this](CourseworkFunction f) { return feed_.hints(f); }) {
+  progress_.onChoose = std::move(choose);
+}
+
+void App::Panels::takeNews(const EngineState& state) { feed_.submit(state.coursework); }
+
+void App::Panels::draw(Tab tab, const Frame& frame) {
+  switch (tab) {
+    case Tab::kProgress:
+      progress_.draw(frame);
+      break;
+    case Tab::kPaths:
+      paths_.draw(frame);
+      break;
+    case Tab::kCompare:
+      compare_.draw(frame);
+      break;
+    case Tab::kSamples:
+    case Tab::kView:
+      break;
+  }
+}
+
+void App::Panels::drawDisplay(const Frame& frame) { compare_.drawDisplay(frame); }
+
+// Paths are seen while their panel is.
+void App::Panels::drawOver(Tab tab, const Frame& frame, const Placement& placement) {
+  compare_.drawOver(frame, placement);
+  if (tab == Tab::kPaths) paths_.drawOver(frame, placement);
+}
 
 ShownPixels App::Panels::shown(const Frame& frame) {
-  const Image& image = frame.picture->image;
-  rgba.clear();
-  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
-    for (std::size_t c = 0; c < 3; ++c)
-      rgba.push_back(static_cast<std::uint8_t>(
-          255.0 * std::pow(std::clamp(image.rgb[i + c] * frame.exposure, 0.0, 1.0), 1 / 2.2)));
-    rgba.push_back(255);
+  const Shown& shown = compare_.shown(frame);
+  return {shown.width, shown.height, shown.rgba, shown.version};
+}
+
+bool App::Panels::busy(Tab tab, const Frame& frame) const {
+  switch (tab) {
+    case Tab::kProgress:
+      return ProgressPanel::busy(frame);
+    case Tab::kPaths:
+      return paths_.busy();
+    case Tab::kCompare:
+      return compare_.busy(frame);
+    case Tab::kSamples:
+    case Tab::kView:
+      break;
   }
-  return {image.width, image.height, rgba, ++version};
+  return false;
 }
 
 }  // namespace pathmark::preview

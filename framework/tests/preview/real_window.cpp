@@ -53,7 +53,7 @@ VirtualDisplay::VirtualDisplay(int width, int height)
   };
   EXPECT_TRUE(waitFor([&] { return !number().empty() || server_.ended(); }))
       << textOf(folder_ / "log");
-  name_ = ":" + number();
+  name_ = fmt::format(":{}", number());
 }
 
 RealWindow::RealWindow(const VirtualDisplay& display, std::vector<std::string> arguments)
