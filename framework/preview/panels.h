@@ -6,6 +6,7 @@
 #include "preview/compare_panel.h"
 #include "preview/path_panel.h"
 #include "preview/progress_panel.h"
+#include "preview/sample_panel.h"
 
 #include <functional>
 #include <memory>
@@ -34,6 +35,7 @@ class App::Panels {
  private:
   CheckFeed feed_;
   ProgressPanel progress_;
+  SamplePanel samples_;
   PathPanel paths_;
   ComparePanel compare_;
 };
