@@ -34,7 +34,7 @@ void App::Panels::draw(Tab tab, const Frame& frame) {
   }
 }
 
-void App::Panels::drawDisplay(const Frame& frame) { compare_.drawDisplay(frame); }
+void App::Panels::drawDisplay() { compare_.drawDisplay(); }
 
 // Paths are seen while their panel is.
 void App::Panels::drawOver(Tab tab, const Frame& frame, const Placement& placement) {

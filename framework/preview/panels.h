@@ -24,7 +24,7 @@ class App::Panels {
   std::shared_ptr<const CheckReport> checks() const { return feed_.report(); }
 
   void draw(Tab tab, const Frame& frame);
-  void drawDisplay(const Frame& frame);
+  void drawDisplay();
   void drawOver(Tab tab, const Frame& frame, const Placement& placement);
   void pick(int column, int row) { paths_.pick(column, row); }
   ShownPixels shown(const Frame& frame);
