@@ -7,7 +7,10 @@ namespace pathmark::preview {
 App::Panels::Panels(std::function<void()> wake, std::function<void(CourseworkFunction)> choose)
     : feed_(makeChecker({}), std::move(wake)),
       progress_([this](CourseworkFunction f) { return feed_.hints(f); }) {
-  progress_.onChoose = std::move(choose);
+  progress_.onChoose = [this, choose = std::move(choose)](CourseworkFunction function) {
+    samples_.choose(function);
+    choose(function);
+  };
 }
 
 void App::Panels::takeNews(const EngineState& state) { feed_.submit(state.coursework); }
@@ -18,7 +21,10 @@ void App::Panels::draw(Tab tab, const Frame& frame) {
       progress_.draw(frame);
       break;
     case Tab::kSamples:
+      samples_.draw(frame);
+      break;
     case Tab::kPaths:
+      paths_.draw(frame);
       break;
     case Tab::kCompare:
       compare_.draw(frame);
@@ -30,20 +36,31 @@ void App::Panels::draw(Tab tab, const Frame& frame) {
 
 void App::Panels::drawDisplay() { compare_.drawDisplay(); }
 
-void App::Panels::drawOver(const Frame& frame, const Placement& placement) {
+// Paths are seen while their panel is.
+void App::Panels::drawOver(Tab tab, const Frame& frame, const Placement& placement) {
   compare_.drawOver(frame, placement);
-}
-
-void App::Panels::pick(int, int) {}
-
-bool App::Panels::busy(Tab tab, const Frame& frame) const {
-  return (tab == Tab::kProgress && ProgressPanel::busy(frame)) ||
-         (tab == Tab::kCompare && compare_.busy(frame));
+  if (tab == Tab::kPaths) paths_.drawOver(frame, placement);
 }
 
 ShownPixels App::Panels::shown(const Frame& frame) {
   const Shown& shown = compare_.shown(frame);
   return {shown.width, shown.height, shown.rgba, shown.version};
+}
+
+bool App::Panels::busy(Tab tab, const Frame& frame) const {
+  switch (tab) {
+    case Tab::kProgress:
+      return ProgressPanel::busy(frame);
+    case Tab::kSamples:
+      return samples_.busy(frame);
+    case Tab::kPaths:
+      return paths_.busy();
+    case Tab::kCompare:
+      return compare_.busy(frame);
+    case Tab::kView:
+      break;
+  }
+  return false;
 }
 
 }  // namespace pathmark::preview
