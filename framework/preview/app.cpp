@@ -80,6 +80,13 @@ int App::run() {
   return interrupted() ? kInterrupted : exitCode_;
 }
 
+Remembered App::remembered() const {
+  return {.width = window_.width(),
+          .height = window_.height(),
+          .scene = std::filesystem::absolute(request_.scene).lexically_normal().string(),
+          .part = part_};
+}
+
 void App::showFrame(Pixels* seen) {
   window_.drawFrame([this](const auto& pressed) { draw(pressed); }, seen);
 }

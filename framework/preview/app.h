@@ -6,6 +6,7 @@
 #include "preview/engine.h"
 #include "preview/frame.h"
 #include "preview/picture_area.h"
+#include "preview/remembered.h"
 #include "preview/window.h"
 
 #include <filesystem>
@@ -24,6 +25,9 @@ class App {
 
   // Until the window is closed, or the script is done. Returns an exit code.
   int run();
+
+  // For the next time.
+  Remembered remembered() const;
 
  private:
   class Panels;

@@ -256,7 +256,7 @@ void App::drawView() {
   if (ImGui::SliderFloat("stops", &stops, -10.0f, 10.0f, "%+.1f")) stops_ = stops;
   ImGui::SameLine();
   ImGui::TextDisabled("exposure");
-  panels_->drawDisplay(makeFrame());
+  panels_->drawDisplay();
   auto seed = static_cast<int>(request_.seed);
   if (ImGui::InputInt("seed", &seed)) {
     request_.seed = static_cast<std::uint64_t>(std::max(seed, 0));

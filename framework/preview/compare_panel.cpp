@@ -2,7 +2,6 @@
 
 #include "preview/compare_overlay.h"
 #include "preview/compare_widgets.h"
-#include "preview/known_noise.h"
 
 #include <imgui.h>
 
@@ -55,15 +54,15 @@ void ComparePanel::drawOver(const Frame& frame, const Placement& placement) {
   drawCompareOverlay({frame, placement, maker_.view(), result}, slider_);
 }
 
-void ComparePanel::drawDisplay(const Frame& frame) {
+void ComparePanel::drawDisplay() {
   constexpr const char* kCurves[] = {"clip, as in PNG files", "Reinhard", "filmic (ACES fit)"};
   int curve = static_cast<int>(display_.curve);
-  ImGui::SetNextItemWidth(200.0f * frame.scale);
+  ImGui::SetNextItemWidth(13.0f * ImGui::GetFontSize());
   if (ImGui::Combo("tone curve", &curve, kCurves, 3))
     display_.curve = static_cast<ToneCurve>(curve);
   if (display_.curve != ToneCurve::kReinhard) return;
   auto white = static_cast<float>(display_.white);
-  ImGui::SetNextItemWidth(200.0f * frame.scale);
+  ImGui::SetNextItemWidth(13.0f * ImGui::GetFontSize());
   if (ImGui::SliderFloat("white", &white, 1.0f, 100.0f, "%.1f",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     display_.white = static_cast<double>(white);
@@ -111,7 +110,7 @@ void ComparePanel::drawReferenceChoice(const Frame& frame) {
   }
   ImGui::EndDisabled();
   if (!possible && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-    ImGui::SetTooltip("When its noise is known: with %u independent parts.", kFewestReplicates);
+    ImGui::SetTooltip("When its noise is known.");
 }
 
 void ComparePanel::draw(const Frame& frame) {
@@ -123,9 +122,10 @@ void ComparePanel::draw(const Frame& frame) {
   const bool current = result_ && result_->wish == wish_.number;
   const CompareResult* result = current ? result_.get() : nullptr;
   drawViewChoice(view_, result != nullptr && result->found.reference != nullptr);
-  if (isFalseColour(view_)) drawColourBar(view_, result, frame.scale);
   ImGui::Separator();
   drawReferenceChoice(frame);
+  ImGui::Separator();
+  if (isFalseColour(view_)) drawColourBar(view_, result, frame.scale);
   if (result == nullptr) {
     ImGui::TextDisabled("Comparing ...");
     return;

@@ -17,7 +17,7 @@ class ComparePanel {
   void draw(const Frame& frame);
 
   // The tone curve, for wherever the exposure is.
-  void drawDisplay(const Frame& frame);
+  void drawDisplay();
 
   // The pixels for the picture area. Call it once a frame, whether the panel is seen or not: the
   // error curve goes on.

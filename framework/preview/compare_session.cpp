@@ -13,10 +13,9 @@ namespace {
 Verdict tooEarly(const Picture& picture) {
   return {.judgement = Judgement::kTooEarly,
           .headline = "Too early to tell.",
-          .detail = fmt::format("The noise must be known first, from {} independent parts of the "
-                                "picture; there {} {} so far.\n",
-                                kFewestReplicates, picture.replicates == 1 ? "is" : "are",
-                                picture.replicates),
+          .detail = fmt::format("The noise must be known first. Differences between independent "
+                                "parts of the picture tell it; there {} {} so far.\n",
+                                picture.replicates == 1 ? "is" : "are", picture.replicates),
           .worst = {},
           .raysPerPixel = picture.raysPerPixel};
 }
@@ -46,7 +45,8 @@ std::shared_ptr<const CompareResult> CompareSession::compare(const CompareReques
   }
   ErrorPoint point{.raysPerPixel = request.picture->raysPerPixel,
                    .seconds = request.picture->seconds};
-  if (result->comparison) point.measured = result->comparison->relativeMse;
+  // Pictures of one series have rays in common.
+  if (result->comparison && !result->ownReference) point.measured = result->comparison->relativeMse;
   point.expected = expectedError(image, reference != nullptr ? reference->image.get() : nullptr);
   curves_.add(*request.picture, reference != nullptr ? reference->id : 0, point);
   result->curves = curves_;
@@ -74,7 +74,8 @@ void CompareSession::compareWithReference(const std::shared_ptr<const Image>& kn
   if (look && trial_.verdict.judgement != Judgement::kDiffers)
     trial_.verdict = verdictOf(*result.comparison, picture.raysPerPixel);
   if (!known) trial_.verdict = tooEarly(picture);
-  result.verdict = reference.series == picture.series ? sameSeries() : trial_.verdict;
+  result.ownReference = reference.series == picture.series;
+  result.verdict = result.ownReference ? sameSeries() : trial_.verdict;
   result.nextLook = trial_.looks.nextAt();
 }
 
@@ -97,10 +98,10 @@ void CompareSession::colour(const std::shared_ptr<const Image>& known, CompareRe
             errorColours(image, *result.found.reference->image, result.comparison->pixels);
       break;
     case View::kScores:
-      if (result.comparison && known)
+      if (result.comparison && known && !result.ownReference)
         result.colours = scoreColours(image.width, image.height, *result.comparison);
       else if (result.comparison)
-        result.whyNoColours = tooEarly(*result.picture).detail;
+        result.whyNoColours = known ? sameSeries().headline : tooEarly(*result.picture).detail;
       break;
   }
   if (!result.comparison) result.whyNoColours = result.found.why;

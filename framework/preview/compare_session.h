@@ -33,6 +33,7 @@ struct CompareResult {
   FoundReference found{};
   std::optional<Comparison> comparison{};  // if there is a reference
   bool noiseKnown = false;                 // of the picture; z-scores mean nothing where it is not
+  bool ownReference = false;               // the reference is an earlier picture of the same series
   Verdict verdict{};
   double nextLook = 0.0;  // rays per pixel at which the next verdict is made
   FalseColours colours{};

@@ -175,7 +175,7 @@ void drawNumbers(const CompareResult& result) {
   const std::vector<ErrorPoint>& points = result.curves.current().points;
   std::string text =
       fmt::format("Relative mean squared error {:.3g}", result.comparison->relativeMse);
-  if (!points.empty() && points.back().expected)
+  if (!points.empty() && points.back().measured && points.back().expected)
     text += fmt::format(", from noise alone about {:.3g}",
                         *points.back().expected + result.referenceNoise.value_or(0.0));
   wrapped(text + ".");

@@ -11,6 +11,7 @@ namespace {
 
 constexpr ImU32 kMeasured = IM_COL32(90, 170, 255, 255), kExpected = IM_COL32(255, 165, 50, 255);
 constexpr ImU32 kBefore = IM_COL32(150, 150, 150, 255), kGuide = IM_COL32(110, 110, 115, 255);
+constexpr ImU32 kFloor = IM_COL32(190, 120, 200, 255);
 
 using Error = std::optional<double> ErrorPoint::*;
 
@@ -63,12 +64,13 @@ void addGuides(LogPlot& plot, const CompareResult& result) {
   PlotCurve slope = slopeGuide(below, -1.0, from / kBeyond, to * kBeyond);
   slope.name = "slope -1";
   slope.colour = kGuide;
-  PlotCurve floor;
-  if (result.referenceNoise && *result.referenceNoise > 0.0)
-    floor = slopeGuide({from, *result.referenceNoise}, 0.0, from / kBeyond, to * kBeyond);
-  floor.name = floor.points.empty() ? "" : "noise of the reference";
-  floor.colour = kGuide;
-  plot.curves.insert(plot.curves.begin(), {std::move(slope), std::move(floor)});
+  plot.curves.insert(plot.curves.begin(), std::move(slope));
+  const double floor = result.referenceNoise.value_or(0.0);
+  if (floor > 0.0)
+    plot.curves.insert(plot.curves.begin(), {.name = "noise of the reference",
+                                             .points = {{from, floor}, {to, floor}},
+                                             .colour = kFloor,
+                                             .dashed = true});
 }
 
 }  // namespace

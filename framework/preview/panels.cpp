@@ -7,7 +7,10 @@ namespace pathmark::preview {
 App::Panels::Panels(std::function<void()> wake, std::function<void(CourseworkFunction)> choose)
     : feed_(makeChecker({}), std::move(wake)),
       progress_([this](CourseworkFunction f) { return feed_.hints(f); }) {
-  progress_.onChoose = std::move(choose);
+  progress_.onChoose = [this, choose = std::move(choose)](CourseworkFunction function) {
+    samples_.choose(function);
+    choose(function);
+  };
 }
 
 void App::Panels::takeNews(const EngineState& state) { feed_.submit(state.coursework); }
@@ -17,19 +20,21 @@ void App::Panels::draw(Tab tab, const Frame& frame) {
     case Tab::kProgress:
       progress_.draw(frame);
       break;
+    case Tab::kSamples:
+      samples_.draw(frame);
+      break;
     case Tab::kPaths:
       paths_.draw(frame);
       break;
     case Tab::kCompare:
       compare_.draw(frame);
       break;
-    case Tab::kSamples:
     case Tab::kView:
       break;
   }
 }
 
-void App::Panels::drawDisplay(const Frame& frame) { compare_.drawDisplay(frame); }
+void App::Panels::drawDisplay() { compare_.drawDisplay(); }
 
 // Paths are seen while their panel is.
 void App::Panels::drawOver(Tab tab, const Frame& frame, const Placement& placement) {
@@ -46,11 +51,12 @@ bool App::Panels::busy(Tab tab, const Frame& frame) const {
   switch (tab) {
     case Tab::kProgress:
       return ProgressPanel::busy(frame);
+    case Tab::kSamples:
+      return samples_.busy(frame);
     case Tab::kPaths:
       return paths_.busy();
     case Tab::kCompare:
       return compare_.busy(frame);
-    case Tab::kSamples:
     case Tab::kView:
       break;
   }

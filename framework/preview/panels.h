@@ -6,6 +6,7 @@
 #include "preview/compare_panel.h"
 #include "preview/path_panel.h"
 #include "preview/progress_panel.h"
+#include "preview/sample_panel.h"
 
 #include <functional>
 #include <memory>
@@ -23,7 +24,7 @@ class App::Panels {
   std::shared_ptr<const CheckReport> checks() const { return feed_.report(); }
 
   void draw(Tab tab, const Frame& frame);
-  void drawDisplay(const Frame& frame);
+  void drawDisplay();
   void drawOver(Tab tab, const Frame& frame, const Placement& placement);
   void pick(int column, int row) { paths_.pick(column, row); }
   ShownPixels shown(const Frame& frame);
@@ -34,6 +35,7 @@ class App::Panels {
  private:
   CheckFeed feed_;
   ProgressPanel progress_;
+  SamplePanel samples_;
   PathPanel paths_;
   ComparePanel compare_;
 };

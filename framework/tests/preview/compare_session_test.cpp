@@ -125,7 +125,11 @@ TEST_F(CompareSessionTest, APictureIsNotJudgedByItself) {
   series.addRays(4);
   wish_ = {.source = ReferenceSource::kKept, .kept = series.picture(), .number = 2};
   series.addRays(4);
-  EXPECT_EQ(compare(series.picture())->verdict.judgement, Judgement::kNone);
+  const auto result = compare(series.picture(), View::kScores);
+  EXPECT_EQ(result->verdict.judgement, Judgement::kNone);
+  EXPECT_EQ(result->colours.view, View::kPicture);
+  EXPECT_FALSE(result->whyNoColours.empty());
+  EXPECT_FALSE(result->curves.current().points.back().measured);
 }
 
 TEST_F(CompareSessionTest, PixelsThatNeverHaveAValueAreADifferenceAndDoNotDelayTheVerdict) {
