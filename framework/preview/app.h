@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+struct ImVec4;
+
 namespace pathmark::preview {
 
 class App {
@@ -36,6 +38,9 @@ class App {
   void draw(const std::vector<KeyPress>& pressed);
   void drawMenu();
   void drawBanners();
+  void drawBanner(const char* title, const std::string& text, const char* remedy,
+                  const ImVec4& colour);
+  std::string unwrittenSentence() const;
   void drawPicture(float width);
   void drawPanels();
   void drawStatus();
