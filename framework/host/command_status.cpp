@@ -5,6 +5,7 @@
 #include "host/display_path.h"
 #include "host/exit_code.h"
 #include "host/session.h"
+#include "host/where_to_look.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -18,12 +19,6 @@ namespace pathmark {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string handout(int part) {
-  const auto all = parts();
-  const std::string file(all[static_cast<std::size_t>(part)].file);
-  return "handouts/" + file.substr(0, file.rfind('.')) + ".md";
-}
 
 StubReport askWorker(const CourseworkBuild& build) {
   WorkerProcess::Options options;
@@ -59,7 +54,7 @@ std::optional<std::string> showPart(const PartBuild& part, const StubReport& rep
   for (const FunctionContract& f : missing) fmt::print("          {}  {}\n", f.section, f.name);
   if (missing.empty()) return std::nullopt;
   return fmt::format("write {} in {}; the task stands above it, the chapter is {}.",
-                     missing.front().name, displayPath(part.source), handout(part.part.part));
+                     missing.front().name, displayPath(part.source), handoutOf(part.part));
 }
 
 // Part 7 is scenes: one counts as written when it has a caption.

@@ -13,6 +13,7 @@ namespace pathmark {
 using CommandAction = std::function<int()>;
 
 void addRenderCommand(CLI::App& app, CommandAction& action);
+void addPreviewCommand(CLI::App& app, CommandAction& action);
 void addDemoCommand(CLI::App& app, CommandAction& action);
 void addCompareCommand(CLI::App& app, CommandAction& action);
 void addStatusCommand(CLI::App& app, CommandAction& action);

@@ -72,6 +72,9 @@ int run(int argc, char** argv) {
   addStatusCommand(app, action);
   addGraderCommands(app, action);
   addRenderCommand(app, action);
+#ifdef PATHMARK_PREVIEW
+  addPreviewCommand(app, action);
+#endif
   addCompareCommand(app, action);
   addContactSheetCommand(app, action);
   addMeshCommand(app, action);

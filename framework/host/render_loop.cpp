@@ -56,9 +56,11 @@ ImageRender::ImageRender(WorkerProcess& worker, const RenderSettings& settings, 
 
 // The worker adds to the sums that are there, in the order of the passes: the bits do not depend
 // on where one step ends and the next begins.
-bool ImageRender::step(const OnStatus& onStatus) {
+bool ImageRender::step(const OnStatus& onStatus, const StepSize& size) {
   remainder_.reset();
-  const RenderJob job = nextJob(settings_, state_, pixelPasses_);
+  const RenderJob job = nextJob(
+      settings_, state_,
+      std::min(pixelPasses_, size.mostPasses * static_cast<double>(settings_.pixels())));
   const auto rows = rowsOf(job.region);
   const std::span<FilmPixel> shared = film_.pixels().subspan(
       static_cast<std::size_t>(rows.data() - state_.film.data()), rows.size());
@@ -87,9 +89,7 @@ bool ImageRender::step(const OnStatus& onStatus) {
   state_.seconds += seconds;
   advance(settings_, job, state_);
 
-  // About a second's work, so that its overhead is nothing, and little is lost with the step.
-  constexpr double kStepSeconds = 1.0;
-  const double fitting = pixelPassesOf(job) * kStepSeconds / std::max(seconds, 1e-3);
+  const double fitting = pixelPassesOf(job) * size.seconds / std::max(seconds, 1e-3);
   pixelPasses_ = std::clamp(fitting, 1.0, 4.0 * pixelPasses_);
   return true;
 }

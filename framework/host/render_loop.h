@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct RenderedImage {
   bool complete = true;
 };
 
+struct StepSize {
+  double seconds = 1.0;  // about: its overhead is nothing then, and little is lost with a step
+  double mostPasses = std::numeric_limits<double>::infinity();  // of the whole image, at least 1
+};
+
 // Called several times a second; returns whether to go on.
 using OnStatus = std::function<bool(const RenderStatus&)>;
 
@@ -45,9 +51,10 @@ class ImageRender {
 
   bool finished() const { return pathmark::finished(settings_, state_); }
 
-  // Asks the worker for about a second of work. Returns false if `onStatus` has ended it before:
-  // what there is of it is in image() only, and the next step makes it anew. Throws WorkerError.
-  bool step(const OnStatus& onStatus);
+  // Asks the worker for so much work. Returns false if `onStatus` has ended it
+  // before: what there is of it is in image() only, and the next step makes it anew. Throws
+  // WorkerError.
+  bool step(const OnStatus& onStatus, const StepSize& size = {});
 
   const RenderState& state() const { return state_; }
   RenderState takeState() { return std::move(state_); }
@@ -72,7 +79,7 @@ class ImageRender {
   RenderState state_;
   double fractionBefore_, secondsBefore_;
   SharedFilm film_;
-  double pixelPasses_;  // that about a second's work has
+  double pixelPasses_;  // of the next step
   std::optional<Remainder> remainder_;
 };
 

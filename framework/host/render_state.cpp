@@ -63,6 +63,10 @@ RenderJob nextJob(const RenderSettings& settings, const RenderState& state, doub
   job.seed = replicateSeed(settings.seed, state.replicate);
   job.firstRay = state.firstRay;
   job.raysPerPass = settings.raysPerPass();
+  if (settings.camera) {
+    job.ownCamera = 1;
+    job.camera = *settings.camera;
+  }
   const double passes = pixelPasses / static_cast<double>(settings.pixels());
   if (state.row == 0 && passes >= 1.0) {
     job.region = {0, 0, settings.width, settings.height};

@@ -10,6 +10,7 @@
 #include "render/render_job.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pathmark {
@@ -22,6 +23,7 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::kSobol;
   Estimator estimator = Estimator::kPath;
+  std::optional<FlatCamera> camera{};  // instead of the scene's, of the same size
 
   std::uint64_t raysPerReplicate() const { return raysPerPixel / replicates; }
   std::uint32_t raysPerPass() const;

@@ -116,6 +116,12 @@ std::optional<int> WorkerProcess::silentFor(Clock::time_point since) const {
   return seconds > options_.limits.secondsWithoutAnswer ? std::optional<int>(pid_) : std::nullopt;
 }
 
+void WorkerProcess::stopIfAsked() {
+  if (!options_.goOn || options_.goOn()) return;
+  closeAll();
+  throw WorkerStopped();
+}
+
 std::vector<StubRecord> WorkerProcess::stubs() {
   constexpr std::size_t kMost = 1000;
   const auto started = Clock::now();
@@ -292,6 +298,7 @@ void WorkerProcess::sendBytes(std::span<const std::byte> bytes, int descriptor) 
     if (errno != EAGAIN && errno != EINTR)
       throw std::system_error(errno, std::generic_category(), "sending to the worker");
     pump(kPollMilliseconds, POLLOUT);
+    stopIfAsked();
     if (const auto thread = silentFor(started)) failStalled(*thread);
   }
 }
@@ -346,6 +353,7 @@ std::vector<std::byte> WorkerProcess::awaitReply(
   bool haveHeader = false;
   while (!haveHeader || got < bytes.size()) {
     if (haveHeader && bytes.empty()) break;
+    stopIfAsked();
     if (const auto thread = stalledThread()) failStalled(*thread);
     if (!pump(kPollMilliseconds, POLLIN)) continue;
     const ssize_t n = recv(socket_.get(), bytes.data() + got, bytes.size() - got, MSG_DONTWAIT);

@@ -23,6 +23,7 @@
 #include <pathmark/unimplemented.h>
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -53,6 +54,12 @@ class WorkerError : public std::runtime_error {
   WorkerFault fault_;
 };
 
+// Thrown where Options::goOn said no. It is no WorkerError: it says nothing of the coursework.
+class WorkerStopped : public std::exception {
+ public:
+  const char* what() const noexcept override { return "the worker was stopped"; }
+};
+
 struct WorkerLimits {
   double secondsWithoutAnswer = 10.0;  // of a call, or of a render thread within one pixel's pass
   std::size_t outputBytes = std::size_t{1} << 20;  // that coursework may print
@@ -76,6 +83,10 @@ class WorkerProcess {
     std::filesystem::path courseworkFolder;  // for naming files in messages
     WorkerLimits limits;
     std::function<void(std::string_view)> onText;  // what the coursework prints
+
+    // Asked several times a second while an answer is waited for; if it says no, the worker is
+    // ended, and WorkerStopped thrown.
+    std::function<bool()> goOn;
   };
 
   // Throws WorkerError, or std::system_error if the machine cannot start a process.
@@ -127,6 +138,7 @@ class WorkerProcess {
                                     std::uint64_t smallest, std::uint64_t largest,
                                     const std::function<bool(const RenderProgress&)>& onProgress);
   std::optional<int> silentFor(Clock::time_point since) const;
+  void stopIfAsked();
   bool pump(int timeoutMilliseconds, short socketEvents);
   void readText();
   bool readCrash();

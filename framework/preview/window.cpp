@@ -43,6 +43,17 @@ std::string noDisplay() {
       where, lastError());
 }
 
+void onKey(GLFWwindow* window, int key, int, int action, int modifiers) {
+  if (action != GLFW_PRESS) return;
+  static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window))
+      ->push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0, 0});
+}
+
+void onCharacter(GLFWwindow* window, unsigned character) {
+  static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window))
+      ->push_back({0, false, false, character});
+}
+
 void styleFor(float scale) {
   ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
@@ -84,6 +95,9 @@ Window::Window(const WindowOptions& options) {
   float across = 1.0f, down = 1.0f;
   glfwGetWindowContentScale(window_, &across, &down);
   scale_ = options.scale > 0.0 ? static_cast<float>(options.scale) : std::max(across, down);
+  glfwSetWindowUserPointer(window_, &keys_);
+  glfwSetKeyCallback(window_, onKey);
+  glfwSetCharCallback(window_, onCharacter);
   ImGui::CreateContext();
   styleFor(scale_);
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
@@ -132,12 +146,15 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-void Window::drawFrame(const std::function<void()>& draw) {
+void Window::drawFrame(const std::function<void(const std::vector<KeyPress>&)>& draw,
+                       Pixels* seen) {
   glfwPollEvents();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
-  draw();
+  if (ImGui::GetIO().WantTextInput) keys_.clear();
+  draw(keys_);
+  keys_.clear();
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
@@ -145,16 +162,18 @@ void Window::drawFrame(const std::function<void()>& draw) {
   glClearColor(0.06f, 0.06f, 0.07f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  // Afterwards it would be anybody's guess what the buffers hold.
+  if (seen != nullptr) *seen = backBuffer();
   glfwSwapBuffers(window_);
 }
 
-Pixels Window::pixels() const {
+Pixels Window::backBuffer() const {
   Pixels result;
   glfwGetFramebufferSize(window_, &result.width, &result.height);
   const auto rowBytes = static_cast<std::size_t>(result.width) * 4;
   std::vector<std::uint8_t> bottomUp(rowBytes * static_cast<std::size_t>(result.height));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadBuffer(GL_FRONT);
+  glReadBuffer(GL_BACK);
   glReadPixels(0, 0, result.width, result.height, GL_RGBA, GL_UNSIGNED_BYTE, bottomUp.data());
   result.rgba.resize(bottomUp.size());
   for (std::size_t row = 0; row < static_cast<std::size_t>(result.height); ++row)

@@ -29,6 +29,13 @@ struct WindowOptions {
   double scale = 0.0;  // of the interface; 0: the screen's own
 };
 
+// A key that was pressed since the last frame, by GLFW's names. Characters have no key.
+struct KeyPress {
+  int key = 0;
+  bool shift = false, control = false;
+  char32_t character = 0;
+};
+
 struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;  // row by row from the top
@@ -57,16 +64,18 @@ class Window {
   // Any thread.
   static void wake();
 
-  // A frame: `draw` makes the interface.
-  void drawFrame(const std::function<void()>& draw);
-
-  // What the last frame shows.
-  Pixels pixels() const;
+  // A frame: `draw` makes the interface. It is given the keys that no text field has taken.
+  // With `seen`, keeps what the frame shows.
+  void drawFrame(const std::function<void(const std::vector<KeyPress>&)>& draw,
+                 Pixels* seen = nullptr);
 
  private:
+  Pixels backBuffer() const;
+
   GLFWwindow* window_ = nullptr;
   float scale_ = 1.0f;
   std::string title_;
+  std::vector<KeyPress> keys_;
 };
 
 class Texture {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "sampling/sampler_kind.h"
+#include "scene/flat_scene.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -36,7 +37,9 @@ struct RenderJob {
   std::uint64_t firstRay = 0;  // of each pixel: a multiple of raysPerPass
   std::uint64_t rays = 1;      // of each pixel, in this job
   std::uint32_t raysPerPass = 1;
-  PixelRegion region;  // to render; what reaches beyond the image is cut off
+  PixelRegion region;           // to render; what reaches beyond the image is cut off
+  std::uint32_t ownCamera = 0;  // 1: the camera is `camera` and not the scene's
+  FlatCamera camera;
 };
 
 struct InvalidPixels {

@@ -28,8 +28,8 @@ void flushDenormalsToZero() {
 
 class PixelRenderer {
  public:
-  PixelRenderer(const SceneCore& core, const RenderJob& job)
-      : core_(core),
+  PixelRenderer(const SceneCore& core, const RenderJob& job, const SimpleCamera& camera)
+      : camera_(camera),
         job_(job),
         scene_(core, core.maxBounces()),
         sampler_(makePixelSampler(job.sampler, job.seed, job.raysPerPass)) {
@@ -39,27 +39,26 @@ class PixelRenderer {
   Colour render(int i, int j, std::uint64_t firstRay, std::uint32_t rays) {
     sampler_->startPixel(i, j, firstRay);
     if (job_.estimator == Estimator::kWarmUp) return warmUp(i, j, rays);
-    return scene_.renderPixel(i, j, core_.camera(), static_cast<int>(rays), *sampler_);
+    return scene_.renderPixel(i, j, camera_, static_cast<int>(rays), *sampler_);
   }
 
  private:
   // The warm-up is rendered by the framework's own camera rays, so that it needs part 0 only.
   Colour warmUp(int i, int j, std::uint32_t rays) {
-    const SimpleCamera& camera = core_.camera();
     glm::dvec3 sum(0.0);
     for (std::uint32_t m = 0; m < rays; ++m) {
       sampler_->startRay(static_cast<int>(m));
       const vec2 film = vec2(i, j) + sampler_->next2D();
       uvec2 seed(sampler_->next2D() * 0x1p24f);
-      const Vector direction =
-          normalize(camera.topLeft() + film.x * camera.pixelRight() + film.y * camera.pixelDown());
-      sum += get_ray_radiance(camera.eye(), direction, Mesh{warmUp_}, seed);
+      const Vector direction = normalize(camera_.topLeft() + film.x * camera_.pixelRight() +
+                                         film.y * camera_.pixelDown());
+      sum += get_ray_radiance(camera_.eye(), direction, Mesh{warmUp_}, seed);
     }
     countRaysOfThisThread(rays);
     return sum / static_cast<double>(rays);
   }
 
-  const SceneCore& core_;
+  const SimpleCamera& camera_;
   const RenderJob& job_;
   LitScene scene_;
   std::unique_ptr<PixelSampler> sampler_;
@@ -136,10 +135,15 @@ bool renderPixelPasses(int i, int j, const RenderJob& job, PixelRenderer& render
 
 }  // namespace
 
+SimpleCamera cameraOf(const SceneCore& scene, const RenderJob& job) {
+  return job.ownCamera != 0 ? makeCamera(job.camera) : scene.camera();
+}
+
 RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span<FilmPixel> film,
                          ProgressBoard& board, const std::function<void()>& onThreadStart) {
-  const int width = scene.camera().width();
-  Tiles tiles(job.region, scene.camera());
+  const SimpleCamera camera = cameraOf(scene, job);
+  const int width = camera.width();
+  Tiles tiles(job.region, camera);
   std::vector<InvalidPixels> invalid(job.threads);
 
   const auto work = [&](std::uint32_t index) {
@@ -148,7 +152,7 @@ RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span
     restartRayCount();
     ThreadSlot& slot = board.threads[index];
     slot.threadId.store(static_cast<std::int32_t>(gettid()), std::memory_order_relaxed);
-    PixelRenderer renderer(scene, job);
+    PixelRenderer renderer(scene, job, camera);
     InvalidPixels found;
     bool going = true;
     for (Tile tile{}; going && tiles.take(tile);)

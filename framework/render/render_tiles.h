@@ -13,6 +13,9 @@
 
 namespace pathmark {
 
+// The camera that the job is seen by.
+SimpleCamera cameraOf(const SceneCore& scene, const RenderJob& job);
+
 // Adds the job's rays to the film (row by row from the top, camera width x height).
 // `onThreadStart` is called by each render thread before its first pixel.
 RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span<FilmPixel> film,

@@ -8,11 +8,6 @@ namespace {
 
 vec3 toVec3(const Float3& a) { return {a[0], a[1], a[2]}; }
 
-SimpleCamera makeCamera(const FlatCamera& c) {
-  return {toVec3(c.eye),       toVec3(c.topLeft),         toVec3(c.pixelRight),
-          toVec3(c.pixelDown), static_cast<int>(c.width), static_cast<int>(c.height)};
-}
-
 std::unique_ptr<BRDF> makeMaterial(const FlatMaterial& m) {
   if (m.kind == FlatMaterialKind::kPhong)
     return std::make_unique<phongBRDF>(toVec3(m.kd), toVec3(m.ks), m.exponent);
@@ -20,6 +15,11 @@ std::unique_ptr<BRDF> makeMaterial(const FlatMaterial& m) {
 }
 
 }  // namespace
+
+SimpleCamera makeCamera(const FlatCamera& c) {
+  return {toVec3(c.eye),       toVec3(c.topLeft),         toVec3(c.pixelRight),
+          toVec3(c.pixelDown), static_cast<int>(c.width), static_cast<int>(c.height)};
+}
 
 SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins)
     : view_(view),

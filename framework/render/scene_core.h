@@ -18,6 +18,8 @@
 
 namespace pathmark {
 
+SimpleCamera makeCamera(const FlatCamera& camera);
+
 class SceneCore {
  public:
   explicit SceneCore(const FlatSceneView& view, ShadowOrigins origins = ShadowOrigins::kAnywhere);

@@ -33,6 +33,8 @@ struct LoadedScene {
   Normalisation normalisation;
   std::string name;                // the file's name without folder and ending
   std::string caption;             // may be empty
+  std::array<double, 3> target{};  // that the camera looks at, in normalised coordinates
+  std::array<double, 3> up{};      // the camera's, unit length
   double exposure = 1.0;           // factor on linear radiance for display only
   int raysPerPixel = 64;           // default for renders
   std::vector<std::string> notes;  // sentences about what was dropped or changed while loading

@@ -72,10 +72,10 @@ void answerLoadScene(const Message& request, WorkerState& state) {
 // The memory of a request for a render.
 class RenderMemory {
  public:
-  // Nothing if it does not fit the scene.
+  // Nothing if it does not fit the picture.
   static std::optional<RenderMemory> map(const Message& request, const RenderRequest& body,
                                          const SceneCore& scene) {
-    const SimpleCamera& camera = scene.camera();
+    const SimpleCamera camera = cameraOf(scene, body.job);
     const std::size_t pixels =
         static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
     auto block = SharedBlock::map(request.descriptor, body.bytes, true);
@@ -96,7 +96,8 @@ class RenderMemory {
   std::size_t pixels_;
 };
 
-// A request that does not fit the scene gets an empty answer, which the host knows for what it is.
+// A request that does not fit the picture gets an empty answer, which the host knows for what it
+// is.
 void answerRender(const Message& request, const WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
   if (!body || !state.scene || body->job.threads > kMaxThreads) return sendReply(request, {});

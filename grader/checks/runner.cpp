@@ -1,9 +1,8 @@
 #include "checks/runner.h"
 
 #include "checks/all_checks.h"
-#include "checks/scenes.h"
+#include "checks/check_bench.h"
 #include "host/stub_report.h"
-#include "sampling/mix.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +12,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <thread>
 
 namespace pathmark::checks {
@@ -25,75 +24,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-// Different checks see different numbers, and a check sees the same with or without the others.
-std::uint64_t seedOf(const Check& check, std::uint64_t seed) {
-  std::uint64_t hash = mix(seed + kGolden);
-  for (const char c : idOf(check)) hash = mix(hash + static_cast<unsigned char>(c) + kGolden);
-  return hash;
-}
-
-// A worker that is started when it is needed, and again after it has died.
-class RestartedWorker {
- public:
-  RestartedWorker(std::filesystem::path program, std::filesystem::path coursework,
-                  const RunOptions& options)
-      : program_(std::move(program)), coursework_(std::move(coursework)), options_(options) {}
-
-  WorkerProcess& worker() {
-    if (!worker_) {
-      WorkerProcess::Options options;
-      options.program = program_;
-      options.courseworkFolder = coursework_;
-      options.limits.secondsWithoutAnswer = options_.secondsWithoutAnswer;
-      options.onText = options_.onText;
-      worker_ = std::make_unique<WorkerProcess>(std::move(options));
-      worker_->loadScene(emptyRoom());
-    }
-    return *worker_;
-  }
-
-  // The next one begins with a worker that no check before it has touched.
-  void forget() { worker_.reset(); }
-
- private:
-  std::filesystem::path program_, coursework_;
-  const RunOptions& options_;
-  std::unique_ptr<WorkerProcess> worker_;
-};
-
-Finding runOne(const Check& check, RestartedWorker& bench, std::uint64_t seed,
-               stats::ErrorBudget& budget) {
-  try {
-    CheckRun run{bench.worker(), seedOf(check, seed), budget};
-    return check.run(run);
-  } catch (const WorkerError& e) {
-    bench.forget();
-    Finding finding;
-    finding.status = Status::kBroken;
-    finding.got = e.what();
-    return finding;
-  }
-}
-
-class Progress {
- public:
-  Progress(std::size_t total, const RunEvents& events) : total_(total), events_(events) {}
-
-  bool goesOn() const { return !events_.goOn || events_.goOn(); }
-
-  void done(const Check& check) {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (events_.onProgress)
-      events_.onProgress(static_cast<double>(done_) / static_cast<double>(total_), idOf(check));
-  }
-
- private:
-  std::mutex mutex_;
-  std::size_t total_, done_ = 0;
-  const RunEvents& events_;
-};
 
 FunctionResult* functionIn(PartResult& part, CourseworkFunction f) {
   for (FunctionResult& result : part.functions)
@@ -126,8 +56,9 @@ bool isNeeded(const Check& check, std::span<const Check> all, const Selection& s
   });
 }
 
-void checkFunctions(PartResult& part, RestartedWorker& bench, const Selection& selection,
-                    const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
+// Throws WorkerStopped if it may not go on.
+void checkFunctions(PartResult& part, CheckBench& bench, const Selection& selection,
+                    stats::ErrorBudget& budget, RunProgress& progress) {
   const StubReport stubs = makeStubReport(bench.worker().stubs());
   const std::span<const Check> all = checksOfPart(part.part.part);
   for (const FunctionContract& f : contract()) {
@@ -139,20 +70,22 @@ void checkFunctions(PartResult& part, RestartedWorker& bench, const Selection& s
     FunctionResult& function = *functionIn(part, check.function);
     if (!selection.selects(check) && !isNeeded(check, all, selection)) continue;
     if (function.status == Status::kNotWritten || function.status == Status::kBroken) {
-      progress.done(check);
+      progress.done();
       continue;
     }
+    if (!progress.goesOn()) throw WorkerStopped();
+    progress.begun(check);
     CheckResult result{&check, {}, 0.0};
     const auto started = Clock::now();
     if (const std::string blocker = blockedBy(check, part); !blocker.empty()) {
       result.finding.status = Status::kBlocked;
       result.finding.cause = blocker;
     } else {
-      result.finding = runOne(check, bench, options.seed, budget);
+      result.finding = bench.make(check, budget);
     }
     result.seconds = secondsSince(started);
     addResult(function, std::move(result));
-    progress.done(check);
+    progress.done();
   }
   std::erase_if(part.functions, [&](const FunctionResult& f) {
     if (selection.only.empty() || !f.checks.empty()) return false;
@@ -160,10 +93,13 @@ void checkFunctions(PartResult& part, RestartedWorker& bench, const Selection& s
   });
 }
 
-PartResult checkPart(const CourseworkBuild& build, int number, const Selection& selection,
-                     const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
+// Nothing if it may not go on.
+std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
+                                    const Selection& selection, const RunOptions& options,
+                                    stats::ErrorBudget& budget, RunProgress& progress) {
   const PartBuild& compiled = build.parts.at(static_cast<std::size_t>(number));
   PartResult part{compiled.part, {}, {}};
+  if (!progress.goesOn()) return std::nullopt;
   if (!compiled.compiled) {
     part.failure = "does not compile:" + compiled.messages;
     return part;
@@ -173,11 +109,13 @@ PartResult checkPart(const CourseworkBuild& build, int number, const Selection& 
     part.failure = "does not link: " + linked.failure;
     return part;
   }
-  RestartedWorker bench(linked.worker, build.folder, options);
+  CheckBench bench(linked.worker, build.folder, options, progress);
   try {
-    checkFunctions(part, bench, selection, options, budget, progress);
+    checkFunctions(part, bench, selection, budget, progress);
   } catch (const WorkerError& e) {
     part.failure = std::string("cannot be started: ") + e.what();
+  } catch (const WorkerStopped&) {
+    return std::nullopt;
   }
   return part;
 }
@@ -195,7 +133,7 @@ std::string blockingPart(const CourseworkResults& results) {
 }
 
 // The first function, or part, without which there is no picture.
-std::string missing(const CourseworkBuild& build, RestartedWorker* bench) {
+std::string missing(const CourseworkBuild& build, CheckBench* bench) {
   for (const PartBuild& part : build.parts)
     if (!part.compiled) return fmt::format("part {}, which does not compile", part.part.part);
   if (bench == nullptr) return {};
@@ -209,11 +147,11 @@ std::string missing(const CourseworkBuild& build, RestartedWorker* bench) {
 struct Whole {
   std::string blocker;
   std::string failure;
-  std::unique_ptr<RestartedWorker> bench;
+  std::unique_ptr<CheckBench> bench;
 };
 
 Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
-                const RunOptions& options) {
+                const RunOptions& options, RunProgress& progress) {
   Whole whole;
   whole.blocker = blockingPart(results);
   if (whole.blocker.empty()) whole.blocker = missing(build, nullptr);
@@ -221,7 +159,7 @@ Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
   const LinkedWorker linked = linkWithStandIns(build, std::array{0, 1, 2, 3, 4, 5, 6});
   whole.failure = linked.failure;
   if (linked.worker.empty()) return whole;
-  whole.bench = std::make_unique<RestartedWorker>(linked.worker, build.folder, options);
+  whole.bench = std::make_unique<CheckBench>(linked.worker, build.folder, options, progress);
   try {
     whole.blocker = missing(build, whole.bench.get());
   } catch (const WorkerError& e) {
@@ -232,14 +170,15 @@ Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
 }
 
 void checkImages(CourseworkResults& results, Whole& whole, const Selection& selection,
-                 const RunOptions& options, stats::ErrorBudget& budget, Progress& progress) {
+                 stats::ErrorBudget& budget, RunProgress& progress) {
   for (const Check& check : imageChecks()) {
-    if (!progress.goesOn()) return;
     if (!selection.selects(check)) continue;
+    if (!progress.goesOn()) return;
+    progress.begun(check);
     CheckResult result{&check, {}, 0.0};
     const auto started = Clock::now();
     if (whole.bench) {
-      result.finding = runOne(check, *whole.bench, options.seed, budget);
+      result.finding = whole.bench->make(check, budget);
     } else if (!whole.blocker.empty()) {
       result.finding.status = Status::kBlocked;
       result.finding.cause = whole.blocker;
@@ -249,16 +188,16 @@ void checkImages(CourseworkResults& results, Whole& whole, const Selection& sele
     }
     result.seconds = secondsSince(started);
     results.images.push_back(std::move(result));
-    progress.done(check);
+    progress.done();
   }
 }
 
-void addKnown(CourseworkResults& results, const CourseworkResults& known) {
-  for (const PartResult& part : known.parts) {
-    const auto same = [&](const PartResult& p) { return p.part.part == part.part.part; };
-    if (std::none_of(results.parts.begin(), results.parts.end(), same))
+void addKnown(CourseworkResults& results, const CourseworkResults& known,
+              const Selection& selection) {
+  const std::vector<int>& selected = selection.parts;
+  for (const PartResult& part : known.parts)
+    if (std::find(selected.begin(), selected.end(), part.part.part) == selected.end())
       results.parts.push_back(part);
-  }
   std::sort(results.parts.begin(), results.parts.end(),
             [](const PartResult& a, const PartResult& b) { return a.part.part < b.part.part; });
 }
@@ -281,6 +220,47 @@ std::vector<std::size_t> longestFirst(const std::vector<int>& parts) {
     for (std::size_t k = 0; k < parts.size(); ++k)
       if (parts[k] == part) places.push_back(k);
   return places;
+}
+
+// Several at the same time; those that were done before it could not go on.
+std::vector<PartResult> checkParts(const CourseworkBuild& build, const Selection& selection,
+                                   const RunOptions& options, stats::ErrorBudget& budget,
+                                   RunProgress& progress) {
+  std::vector<std::optional<PartResult>> checked(selection.parts.size());
+  const std::vector<std::size_t> order = longestFirst(selection.parts);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = 0; (i = next++) < order.size();) {
+      const std::size_t place = order[i];
+      checked[place] =
+          checkPart(build, selection.parts[place], selection, options, budget, progress);
+      if (checked[place]) progress.done(*checked[place]);
+    }
+  };
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads = options.threads != 0 ? options.threads : processors;
+  std::vector<std::future<void>> others;
+  for (unsigned k = 1; k < threads; ++k) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
+  std::vector<PartResult> parts;
+  for (std::optional<PartResult>& part : checked)
+    if (part) parts.push_back(std::move(*part));
+  return parts;
+}
+
+// Pictures and scenes, with all parts together.
+void checkWhole(CourseworkResults& results, const CourseworkBuild& build,
+                const Selection& selection, const RunOptions& options, stats::ErrorBudget& budget,
+                RunProgress& progress) {
+  if (!selection.images && !selection.scenes) return;
+  try {
+    Whole whole = linkWhole(results, build, options, progress);
+    if (selection.images) checkImages(results, whole, selection, budget, progress);
+    if (selection.scenes && progress.goesOn()) checkOwnScenes(results, whole, build, options);
+  } catch (const WorkerStopped&) {
+    // What was done until then stays.
+  }
 }
 
 std::size_t countSelected(const Selection& selection) {
@@ -341,37 +321,20 @@ bool CourseworkResults::anythingWrong() const {
                      [&](const SceneFinding& s) { return wrong(s.status); });
 }
 
-// Several parts at the same time.
 CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selection,
                             const RunOptions& options, const RunEvents& events) {
   const auto started = Clock::now();
   CourseworkResults results;
   results.seed = options.seed;
-  results.parts.resize(selection.parts.size());
   stats::ErrorBudget budget;
-  Progress progress(std::max<std::size_t>(countSelected(selection), 1), events);
-  const std::vector<std::size_t> order = longestFirst(selection.parts);
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = 0; (i = next++) < order.size();) {
-      const std::size_t place = order[i];
-      results.parts[place] =
-          checkPart(build, selection.parts[place], selection, options, budget, progress);
-    }
-  };
-  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-  const unsigned threads = options.threads != 0 ? options.threads : processors;
-  std::vector<std::future<void>> others;
-  for (unsigned k = 1; k < threads; ++k) others.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& other : others) other.get();
-  if (options.known) addKnown(results, *options.known);
+  RunProgress progress(std::max<std::size_t>(countSelected(selection), 1), events);
+  results.parts = checkParts(build, selection, options, budget, progress);
+  const bool stopped = results.parts.size() < selection.parts.size();
+  if (options.known) addKnown(results, *options.known, selection);
   results.seconds = secondsSince(started);
-  if (events.onFunctions) events.onFunctions(results);
-  if (selection.images || selection.scenes) {
-    Whole whole = linkWhole(results, build, options);
-    if (selection.images) checkImages(results, whole, selection, options, budget, progress);
-    if (selection.scenes && progress.goesOn()) checkOwnScenes(results, whole, build, options);
+  if (!stopped) {
+    if (events.onFunctions) events.onFunctions(results);
+    checkWhole(results, build, selection, options, budget, progress);
   }
   results.seconds = secondsSince(started);
   results.statistics = budget.taken();

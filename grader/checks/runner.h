@@ -36,10 +36,13 @@ struct RunOptions {
 
 // Called from several threads, but never from two at once.
 struct RunEvents {
+  // What is done, and the check that is begun.
   std::function<void(double fraction, const std::string& id)> onProgress;
+  std::function<void(const PartResult&)> onPart;              // all checks of it are done
   std::function<void(const CourseworkResults&)> onFunctions;  // before the images
 
-  // Asked before each picture, which take seconds; if it says no, the rest is left out.
+  // Asked before each check, and a few times a second while a worker is waited for. If it says no,
+  // the rest is left out: of functions the parts that are not done, of pictures those that are not.
   std::function<bool()> goOn;
 };
 

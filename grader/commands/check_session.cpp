@@ -1,13 +1,9 @@
 #include "commands/check_session.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 namespace pathmark {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -16,49 +12,38 @@ std::string identity(const PartBuild& part) {
   return part.compiled ? part.object.string() : part.messages;
 }
 
-checks::PartResult* find(checks::CourseworkResults& results, int part) {
-  for (checks::PartResult& p : results.parts)
-    if (p.part.part == part) return &p;
-  return nullptr;
+bool hasPart(const checks::CourseworkResults& results, int part) {
+  return std::any_of(results.parts.begin(), results.parts.end(),
+                     [&](const checks::PartResult& p) { return p.part.part == part; });
 }
 
 }  // namespace
 
-CheckSession::CheckSession(fs::path folder, checks::Selection selection, checks::RunOptions options)
-    : folder_(std::move(folder)),
-      selection_(std::move(selection)),
-      options_(std::move(options)),
-      madeOf_(parts().size()) {}
+CheckSession::CheckSession(checks::Selection selection, checks::RunOptions options)
+    : selection_(std::move(selection)), options_(std::move(options)), madeOf_(parts().size()) {}
 
-const checks::CourseworkResults& CheckSession::run(const checks::RunEvents& events) {
-  const CourseworkBuild build = buildCoursework(folder_, Incomplete::kCompileOnly);
-  checks::Selection changed = selection_;
-  changed.parts.clear();
+std::vector<int> CheckSession::changedParts(const CourseworkBuild& build) const {
+  std::vector<int> changed;
   for (const int part : selection_.parts) {
     const auto number = static_cast<std::size_t>(part);
-    const std::string now = identity(build.parts[number]);
-    if (now != madeOf_[number] || !find(results_, part)) changed.parts.push_back(part);
-    madeOf_[number] = now;
+    if (identity(build.parts[number]) != madeOf_[number] || !hasPart(results_, part))
+      changed.push_back(part);
   }
+  return changed;
+}
+
+const checks::CourseworkResults& CheckSession::run(const CourseworkBuild& build,
+                                                   const checks::RunEvents& events) {
+  checks::Selection changed = selection_;
+  changed.parts = changedParts(build);
   checks::RunOptions options = options_;
   options.known = &results_;
   results_ = checks::runChecks(build, changed, options, events);
-  return results_;
-}
-
-std::string stampOf(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const PartContract& part : parts()) files.push_back(folder / part.file);
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder / "scenes", error))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::string text;
-  for (const fs::path& file : files) {
-    const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-    text += fmt::format("{} {} {}\n", file.string(), error ? 0 : time, fs::file_size(file, error));
+  for (const int part : changed.parts) {
+    const auto number = static_cast<std::size_t>(part);
+    madeOf_[number] = identity(build.parts[number]);
   }
-  return text;
+  return results_;
 }
 
 }  // namespace pathmark

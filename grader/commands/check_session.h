@@ -3,8 +3,6 @@
 
 #include "checks/runner.h"
 
-#include <array>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,24 +10,24 @@ namespace pathmark {
 
 class CheckSession {
  public:
-  CheckSession(std::filesystem::path folder, checks::Selection selection,
-               checks::RunOptions options);
+  CheckSession(checks::Selection selection, checks::RunOptions options);
 
-  // Compiles, and checks the parts that differ from those of the last run; then all pictures, if
-  // any of them differs. Throws std::system_error where the machine cannot do it.
-  const checks::CourseworkResults& run(const checks::RunEvents& events);
+  // The parts that run() would check: those that differ from what the results are of, or that have
+  // none, because the last run was stopped.
+  std::vector<int> changedParts(const CourseworkBuild& build) const;
+
+  // Checks the parts that have changed; then all pictures, if they were selected. Throws
+  // std::system_error where the machine cannot do it.
+  const checks::CourseworkResults& run(const CourseworkBuild& build,
+                                       const checks::RunEvents& events);
 
   const checks::CourseworkResults& results() const { return results_; }
 
  private:
-  std::filesystem::path folder_;
   checks::Selection selection_;
   checks::RunOptions options_;
   std::vector<std::string> madeOf_;  // what each part of results_ was compiled to
   checks::CourseworkResults results_;
 };
-
-// Changes whenever a coursework file or a scene of its own does; for watching a folder.
-std::string stampOf(const std::filesystem::path& folder);
 
 }  // namespace pathmark

@@ -3,6 +3,7 @@
 #include "commands/commands.h"
 #include "commands/hints.h"
 #include "commands/selection.h"
+#include "host/coursework_stamp.h"
 #include "host/exit_code.h"
 #include "host/interrupt.h"
 #include "host/options.h"
@@ -86,15 +87,19 @@ int checkOnce(CheckSession& session, Screen& screen, const CheckArguments& argum
               const std::filesystem::path& folder, const std::function<bool()>& goOn) {
   const report::Style style{showsColour(), arguments.with};
   checks::RunEvents events;
-  events.goOn = goOn;
+  // Those of functions take seconds, and are shown whatever happens.
+  bool functionsShown = false;
+  events.goOn = [&] { return !functionsShown || goOn(); };
   events.onProgress = [&](double fraction, const std::string& id) {
     screen.showProgress(fraction, id);
   };
   events.onFunctions = [&](const checks::CourseworkResults& results) {
     screen.clear();
     print(report::headline(results, folder) + report::functionLines(results, style));
+    functionsShown = true;
   };
-  const checks::CourseworkResults& results = session.run(events);
+  const CourseworkBuild build = buildCoursework(folder, Incomplete::kCompileOnly);
+  const checks::CourseworkResults& results = session.run(build, events);
   screen.clear();
   print(report::imageLines(results, style) + report::sceneLines(results, style));
   if (arguments.hints > 0) printHints(results, arguments.hints);
@@ -136,7 +141,7 @@ int check(const CheckArguments& arguments) {
   options.threads = arguments.threads;
   Screen screen;
   options.onText = [&](std::string_view text) { screen.printAbove(text); };
-  CheckSession session(folder, selectChecks(arguments.what), options);
+  CheckSession session(selectChecks(arguments.what), options);
   if (arguments.watch) return watch(session, screen, arguments, folder);
   return checkOnce(session, screen, arguments, folder, [] { return !interrupted(); });
 }

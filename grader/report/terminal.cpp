@@ -2,6 +2,7 @@
 
 #include "checks/all_checks.h"
 #include "host/display_path.h"
+#include "host/where_to_look.h"
 
 #include <fmt/format.h>
 
@@ -57,24 +58,11 @@ void addField(std::string& text, std::string_view name, std::string_view value) 
   text += fmt::format("{:{}}{:<11}{}\n", "", kIndent, name, wrapped(value, indent));
 }
 
-std::string repeatCommand(const CheckResult& result, std::uint64_t seed, const Style& style) {
-  std::string command = fmt::format("./pathmark check {} --seed {}", idOf(*result.check), seed);
-  if (style.with != "student") command += " --with " + style.with;
-  return command;
-}
-
-std::string details(const CheckResult& result, std::uint64_t seed, const Style& style,
-                    const std::string& read) {
-  const Finding& finding = result.finding;
+std::string details(const CheckResult& result, std::uint64_t seed, const Style& style) {
   std::string text = fmt::format("{:{}}{}\n", "", kIndent,
                                  wrapped(fmt::format("{}.", result.check->statement), kIndent));
-  addField(text, "where", finding.where);
-  addField(text, "expected", finding.expected);
-  addField(text, finding.status == Status::kBroken ? "broken" : "got", finding.got);
-  addField(text, "tolerance", finding.tolerance);
-  addField(text, "likely", finding.cause);
-  addField(text, "read", read);
-  addField(text, "repeat", repeatCommand(result, seed, style));
+  for (const Field& field : fieldsOf(result)) addField(text, field.name, field.value);
+  addField(text, "repeat", repeatCommand(result, seed, style.with));
   return text;
 }
 
@@ -100,15 +88,8 @@ std::string functionLine(const FunctionResult& f, std::uint64_t seed, const Styl
       if (!r.finding.remark.empty()) addField(text, "note", r.finding.remark);
     return text;
   }
-  if (f.status == Status::kBlocked) {
-    const bool someRight = std::any_of(f.checks.begin(), f.checks.end(),
-                                       [](const CheckResult& r) { return r.finding.passed(); });
-    return text + fmt::format("  {}by {}\n", someRight ? "right so far; the rest " : "",
-                              worst->finding.cause);
-  }
-  return text + "\n" +
-         details(*worst, seed, style,
-                 fmt::format("{}, section {}", partOf(f.function), f.function.section));
+  if (f.status == Status::kBlocked) return text + fmt::format("  {}\n", blockedWords(f));
+  return text + "\n" + details(*worst, seed, style);
 }
 
 struct Counts {
@@ -135,23 +116,6 @@ Counts count(const CourseworkResults& results) {
     }
   }
   return counts;
-}
-
-std::string place(const FunctionResult& f, const std::filesystem::path& folder) {
-  const PartContract& part = parts()[static_cast<std::size_t>(f.function.part)];
-  return fmt::format("{} {} in {}; the chapter is {}.", f.function.section, f.function.name,
-                     displayPath(folder / part.file), handoutOf(part));
-}
-
-std::string todo(const CourseworkResults& results, const std::filesystem::path& folder) {
-  for (const PartResult& part : results.parts)
-    if (!part.failure.empty())
-      return fmt::format("mend {}, which {}.", displayPath(folder / part.part.file),
-                         part.failure.substr(0, part.failure.find(':')));
-  const FunctionResult* next = nextFunction(results);
-  if (next == nullptr) return {};
-  return fmt::format("{} {}", next->status == Status::kNotWritten ? "write" : "mend",
-                     place(*next, folder));
 }
 
 }  // namespace
@@ -194,25 +158,63 @@ const FunctionResult* nextFunction(const CourseworkResults& results) {
   return wrong != nullptr ? wrong : first([](Status s) { return s == Status::kNotWritten; });
 }
 
-std::string handoutOf(const PartContract& part) {
-  const std::string file(part.file);
-  return fmt::format("handouts/{}.md", file.substr(0, file.rfind('.')));
-}
-
-std::string headline(const CourseworkResults& results, const std::filesystem::path& folder) {
+std::string standing(const CourseworkResults& results, const std::filesystem::path& folder) {
   const Counts counts = count(results);
-  const auto failed = [](const PartResult& part) { return !part.failure.empty(); };
-  if (counts.all == 0 && std::none_of(results.parts.begin(), results.parts.end(), failed))
-    return {};
   std::string text = fmt::format("{}: {} of {} functions are right", displayPath(folder),
                                  counts.right, counts.all);
   if (counts.wrong > 0) text += fmt::format(", {} wrong", counts.wrong);
   if (counts.unwritten > 0) text += fmt::format(", {} not written", counts.unwritten);
   if (counts.other > 0) text += fmt::format(", {} blocked or undecided", counts.other);
-  text += fmt::format(" (seed {}, {:.1f} s).\n", results.seed, results.seconds);
-  const std::string next = todo(results, folder);
+  return text + fmt::format(" (seed {}, {:.1f} s).", results.seed, results.seconds);
+}
+
+std::string whatIsNext(const CourseworkResults& results, const std::filesystem::path& folder) {
+  for (const PartResult& part : results.parts)
+    if (!part.failure.empty())
+      return fmt::format("mend {}, which {}.", displayPath(folder / part.part.file),
+                         part.failure.substr(0, part.failure.find(':')));
+  const FunctionResult* next = nextFunction(results);
+  if (next == nullptr) return {};
+  return fmt::format("{} {}", next->status == Status::kNotWritten ? "write" : "mend",
+                     placeOf(next->function, folder));
+}
+
+std::string headline(const CourseworkResults& results, const std::filesystem::path& folder) {
+  const auto failed = [](const PartResult& part) { return !part.failure.empty(); };
+  if (count(results).all == 0 && std::none_of(results.parts.begin(), results.parts.end(), failed))
+    return {};
+  std::string text = standing(results, folder) + "\n";
+  const std::string next = whatIsNext(results, folder);
   if (!next.empty()) text += fmt::format("Next: {}\n", next);
   return text;
+}
+
+std::string blockedWords(const FunctionResult& function) {
+  const CheckResult* worst = worstOf(function);
+  if (worst == nullptr) return {};
+  const bool someRight = std::any_of(function.checks.begin(), function.checks.end(),
+                                     [](const CheckResult& r) { return r.finding.passed(); });
+  return fmt::format("{}by {}", someRight ? "right so far; the rest " : "", worst->finding.cause);
+}
+
+std::vector<Field> fieldsOf(const CheckResult& result) {
+  const Finding& finding = result.finding;
+  const FunctionContract& function = contractOf(result.check->function);
+  const std::string read = result.check->whole
+                               ? "handouts/README.md"
+                               : fmt::format("{}, section {}", partOf(function), function.section);
+  const std::string_view got = finding.status == Status::kBroken ? "broken" : "got";
+  std::vector<Field> fields{{"where", finding.where},  {"expected", finding.expected},
+                            {got, finding.got},        {"tolerance", finding.tolerance},
+                            {"likely", finding.cause}, {"read", read}};
+  std::erase_if(fields, [](const Field& field) { return field.value.empty(); });
+  return fields;
+}
+
+std::string repeatCommand(const CheckResult& result, std::uint64_t seed, const std::string& with) {
+  std::string command = fmt::format("./pathmark check {} --seed {}", idOf(*result.check), seed);
+  if (with != "student") command += " --with " + with;
+  return command;
 }
 
 std::string functionLines(const CourseworkResults& results, const Style& style) {
@@ -244,7 +246,7 @@ std::string imageLines(const CourseworkResults& results, const Style& style) {
     else if (r.finding.passed())
       text += fmt::format(": {}\n", r.check->statement);
     else
-      text.append("\n").append(details(r, results.seed, style, "handouts/README.md"));
+      text.append("\n").append(details(r, results.seed, style));
     addField(text, "note", r.finding.remark);
   }
   return text;

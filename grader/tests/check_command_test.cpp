@@ -1,7 +1,7 @@
 // pathmark check as a student uses it: the real program on real coursework.
 #include "support/background_program.h"
+#include "support/coursework_copy.h"
 #include "support/run_command.h"
-#include "support/test_coursework_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,8 +9,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 
 namespace pathmark::test {
@@ -19,34 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = PATHMARK_ROOT;
-
-std::string readAll(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// A copy of the solutions in which things can be broken.
-class Copy {
- public:
-  explicit Copy(const fs::path& from = kRoot / "solutions") {
-    for (const auto& entry : fs::directory_iterator(from))
-      if (entry.path().extension() == ".cpp")
-        fs::copy_file(entry.path(), folder_ / entry.path().filename().string());
-  }
-
-  void replace(const std::string& file, const std::string& from, const std::string& to) {
-    std::string text = readAll(folder_ / file);
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << file << " has no " << from;
-    std::ofstream(folder_ / file) << text.replace(at, from.size(), to);
-  }
-
-  std::string with() const { return folder_.path().string(); }
-  fs::path file(const std::string& name) const { return folder_ / name; }
-
- private:
-  TemporaryFolder folder_;
-};
 
 ProcessResult check(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {PATHMARK_PROGRAM, "check"});
@@ -70,7 +40,7 @@ TEST(CheckCommand, SaysFirstWhatIsRightAndWhatComesNext) {
 }
 
 TEST(CheckCommand, TakesWhatIsNotWrittenAsNeitherRightNorWrong) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "  return dot(wo, n)",
                "  PATHMARK_UNIMPLEMENTED(\"part3_lambertian.cpp\", \"lambertianBRDF::brdf\");\n"
                "  return dot(wo, n)");
@@ -82,7 +52,7 @@ TEST(CheckCommand, TakesWhatIsNotWrittenAsNeitherRightNorWrong) {
 }
 
 TEST(CheckCommand, SaysOfAFailureWhereWhatWhyAndHowToRepeatIt) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "Kd * kInvPi", "Kd");
   const ProcessResult result = check({"3", "--with", copy.with()});
   EXPECT_EQ(result.exitCode, 1);
@@ -103,7 +73,7 @@ TEST(CheckCommand, GivesTheSameAnswerForTheSameSeed) {
   const auto withoutTime = [](const ProcessResult& result) {
     return std::regex_replace(result.output, std::regex(", [0-9.]+ s\\)"), "");
   };
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "std::sqrt(t), onDisc.y", "t, onDisc.y");
   const std::vector<std::string> command{"3", "--with", copy.with(), "--seed", "7"};
   std::vector<std::string> oneThread = command;
@@ -114,7 +84,7 @@ TEST(CheckCommand, GivesTheSameAnswerForTheSameSeed) {
 }
 
 TEST(CheckCommand, ChecksTheOtherPartsWhereOneDoesNotCompile) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "Kd * kInvPi", "Kd * kInvTau");
   const ProcessResult result = check({"--with", copy.with()});
   EXPECT_EQ(result.exitCode, 1);
@@ -126,7 +96,7 @@ TEST(CheckCommand, ChecksTheOtherPartsWhereOneDoesNotCompile) {
 }
 
 TEST(CheckCommand, SaysWhereACrashWasAndGoesOn) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "return std::max(dot(wi, n), 0.0f) * kInvPi;",
                "volatile int* p = nullptr; return static_cast<float>(*p) + dot(wi, n);");
   const ProcessResult result = check({"3", "--with", copy.with()});
@@ -137,7 +107,7 @@ TEST(CheckCommand, SaysWhereACrashWasAndGoesOn) {
 }
 
 TEST(CheckCommand, EndsALoopThatNeverEnds) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "return std::max(dot(wi, n), 0.0f) * kInvPi;",
                "for (volatile int k = 0; k >= 0; k = 1) {} return dot(wi, n);");
   const ProcessResult result = check({"3.2", "--with", copy.with()});
@@ -146,7 +116,7 @@ TEST(CheckCommand, EndsALoopThatNeverEnds) {
 }
 
 TEST(CheckCommand, FindsNumbersThatAreNotTheArguments) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(
       kLambertian, "std::sqrt(1.0f - t) * onUnitCircle(s)",
       "std::sqrt(1.0f - t) * onUnitCircle(static_cast<float>(std::rand() % 997) / 997.0f)");
@@ -168,7 +138,7 @@ TEST(CheckCommand, RefusesWhatIsNoCheckWithASuggestion) {
 }
 
 TEST(CheckCommand, GivesHintsForWhatComesNext) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "Kd * kInvPi", "Kd");
   const ProcessResult one = check({"3", "--with", copy.with(), "--hint"});
   expectHas(one, "Hints for 3.1 lambertianBRDF::brdf:");
@@ -179,7 +149,7 @@ TEST(CheckCommand, GivesHintsForWhatComesNext) {
 }
 
 TEST(CheckCommand, WritesAllResultsAsJson) {
-  Copy copy;
+  CourseworkCopy copy;
   copy.replace(kLambertian, "Kd * kInvPi", "Kd");
   const fs::path file = copy.file("results.json");
   check({"3", "--with", copy.with(), "--json", file.string()});
@@ -191,7 +161,7 @@ TEST(CheckCommand, WritesAllResultsAsJson) {
 }
 
 TEST(CheckCommand, WatchChecksAgainWhatIsSaved) {
-  Copy copy;
+  CourseworkCopy copy;
   const TemporaryFolder logs;
   const fs::path log = logs / "log.txt";
   const auto says = [&](const std::string& words, int times) {

@@ -1,6 +1,7 @@
 // Whatever coursework does wrong is told in a sentence that names function, file and line; the
 // worker is gone afterwards, and the host goes on.
 #include "host/build_config.h"
+#include "host/coursework_builder.h"
 #include "host/render_loop.h"
 #include "support/test_coursework_files.h"
 
@@ -263,6 +264,33 @@ TEST(WorkerFault, ASceneFunctionWithoutASceneIsRefused) {
   const auto worker = coursework.start();
   const std::vector<std::uint32_t> inputs(8, 0);
   EXPECT_THROW(worker->call(CourseworkFunction::kTracePath, {}, inputs), WorkerError);
+}
+
+// Who no longer wants the answer does not wait for the time limit, and blames nobody.
+TEST(WorkerFault, AWorkerThatGivesNoAnswerCanBeStopped) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp",
+                     "Roulette LitScene::RussianRoulette(const Colour&, int, float u) const {\n"
+                     "  volatile float x = u;\n"
+                     "  while (x < 2.0f) x = u;\n"
+                     "  return {true, x};\n}");
+  const CourseworkBuild build = buildCoursework(coursework.folder());
+  ASSERT_FALSE(build.worker.empty()) << build.failure();
+  WorkerProcess::Options options;
+  options.program = build.worker;
+  options.limits.secondsWithoutAnswer = 1000.0;
+  int asked = 0;
+  bool calling = false;
+  options.goOn = [&] { return !calling || ++asked < 3; };
+  WorkerProcess worker(std::move(options));
+  worker.loadScene(emptyScene(4, 4));
+  const pid_t pid = worker.pid();
+  const std::vector<std::uint32_t> call(
+      contractOf(CourseworkFunction::kRussianRoulette).inputWords);
+  calling = true;
+  EXPECT_THROW(worker.call(CourseworkFunction::kRussianRoulette, {}, call), WorkerStopped);
+  EXPECT_EQ(asked, 3);
+  EXPECT_NE(kill(pid, 0), 0) << "the worker is still there";
 }
 
 }  // namespace

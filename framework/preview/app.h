@@ -1,0 +1,84 @@
+// App: the window's contents: the picture on the left, panels on the right, and what the keys do.
+#pragma once
+
+#include "preview/app_options.h"
+#include "preview/camera_pose.h"
+#include "preview/engine.h"
+#include "preview/frame.h"
+#include "preview/picture_area.h"
+#include "preview/window.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pathmark::preview {
+
+class App {
+ public:
+  App(Window& window, AppOptions options);
+  ~App();
+
+  // Until the window is closed, or the script is done. Returns an exit code.
+  int run();
+
+ private:
+  class Panels;
+
+  void showFrame(Pixels* seen = nullptr);
+  void draw(const std::vector<KeyPress>& pressed);
+  void drawMenu();
+  void drawBanners();
+  void drawPicture(float width);
+  void drawPanels();
+  void drawStatus();
+  void drawHelp();
+  void drawToast();
+  void drawView();
+  void key(const KeyPress& press);
+  void takeNews();
+  Frame makeFrame() const;
+  void apply();  // sends the request to the engine
+  void choosePart(int part);
+  void chooseScene(const std::string& name);
+  void saveWindow(const std::filesystem::path& file);
+  void savePicture(const std::filesystem::path& file);
+  void saveBoth();
+  void togglePause();
+  void beginAnew();
+  void useFileCamera();
+  void say(std::string text);
+  bool scriptDone();
+  std::string title() const;
+  double exposure() const;
+
+  Window& window_;
+  AppOptions options_;
+  EngineRequest request_;
+  std::function<void()> wake_;
+  std::shared_ptr<const EngineState> state_;
+  std::optional<CameraPose> pose_;
+  std::uint64_t poseOf_ = 0;     // EngineState::sceneNumber
+  double cameraMovedAt_ = -1e9;  // seconds, of ImGui's clock
+  int part_ = 5;
+  std::optional<Tab> openTab_;  // to be opened in this frame
+  double stops_ = 0.0;
+  bool help_ = false;
+  std::string toast_;
+  double toastUntil_ = 0.0;
+  std::optional<std::filesystem::path> windowShot_;  // to be taken after this frame
+  int screenshots_ = 0;
+  int framesDue_ = 3;
+  int exitCode_ = 0;
+  PictureArea area_;
+  std::unique_ptr<Panels> panels_;
+  std::unique_ptr<Engine> engine_;  // last: it wakes the window
+};
+
+// "STEM_001.png": the first of these that is not there yet.
+std::filesystem::path unusedFile(const std::string& stem, const char* ending);
+
+}  // namespace pathmark::preview

@@ -1,0 +1,161 @@
+// pathmark preview: the window.
+#include "host/commands.h"
+#include "host/exit_code.h"
+#include "host/options.h"
+#include "host/output_file.h"
+#include "host/session.h"
+#include "preview/app.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <memory>
+#include <thread>
+
+namespace pathmark {
+
+namespace {
+
+struct PreviewArguments {
+  std::string scene;
+  std::string sampler = "sobol";
+  std::string size = "1280x800";
+  std::string tab = "progress";
+  std::string pick;
+  std::string screenshot, picture;
+  std::int64_t rays = 0;
+  std::uint32_t threads = 0;
+  double scale = 0.0;
+  preview::AppOptions app;
+};
+
+// Two whole numbers with something between them.
+std::pair<int, int> twoNumbers(const std::string& option, const std::string& text, char between,
+                               const char* example) {
+  std::pair<int, int> numbers{};
+  const char *at = text.data(), *end = text.data() + text.size();
+  const auto first = std::from_chars(at, end, numbers.first);
+  const bool separated = first.ec == std::errc{} && first.ptr != end && *first.ptr == between;
+  const auto second = std::from_chars(separated ? first.ptr + 1 : end, end, numbers.second);
+  if (!separated || second.ec != std::errc{} || second.ptr != end || numbers.first < 0 ||
+      numbers.second < 0)
+    throw UsageError(
+        fmt::format("{} {}: it is two whole numbers, such as {}.", option, text, example));
+  return numbers;
+}
+
+preview::Tab findTab(const std::string& name) {
+  for (int k = 0; k < preview::kTabs; ++k)
+    if (name == preview::kTabNames[k]) return static_cast<preview::Tab>(k);
+  throw UsageError(
+      fmt::format("--tab {}: it is one of {}.", name, fmt::join(preview::kTabNames, ", ")));
+}
+
+int openPreview(PreviewArguments& arguments) {
+  preview::AppOptions& app = arguments.app;
+  app.request.scene = findScene(arguments.scene.empty() ? "cornell_box" : arguments.scene);
+  findCoursework(app.request.with);
+  app.request.sampler = findSampler(arguments.sampler);
+  app.request.threads = arguments.threads != 0 ? arguments.threads
+                                               : std::max(1u, std::thread::hardware_concurrency());
+  if (arguments.rays > 0) app.request.mostRays = static_cast<double>(arguments.rays);
+  app.tab = findTab(arguments.tab);
+  if (!arguments.pick.empty()) app.pick = twoNumbers("--pick", arguments.pick, ',', "128,90");
+  app.screenshot = arguments.screenshot;
+  app.picture = arguments.picture;
+  if (app.scripted() && arguments.rays == 0)
+    throw UsageError(
+        "--screenshot and --picture need --after-rays N, the rays per pixel to wait for.");
+  for (const auto& file : {app.screenshot, app.picture})
+    if (!file.empty()) requirePlaceForFile("--screenshot", file);
+  const auto [width, height] = twoNumbers("--size", arguments.size, 'x', "1280x800");
+
+  preview::WindowOptions window;
+  window.width = std::clamp(width, 320, 16384);
+  window.height = std::clamp(height, 240, 16384);
+  window.title = "Pathmark";
+  window.scale = arguments.scale;
+  preview::Window opened(window);
+  return preview::App(opened, app).run();
+}
+
+}  // namespace
+
+void addPreviewCommand(CLI::App& app, CommandAction& action) {
+  const auto arguments = std::make_shared<PreviewArguments>();
+  CLI::App* command = app.add_subcommand(
+      "preview", "Open a window that shows the picture, and renders it anew after each save");
+  command
+      ->add_option("SCENE", arguments->scene,
+                   "A scene's name in scenes/ or student/scenes/, or a .json file (default: "
+                   "cornell_box)")
+      ->type_name("");
+  command
+      ->add_option("--with", arguments->app.request.with,
+                   "Coursework: student (default), solutions, or a folder of part*.cpp files")
+      ->type_name("DIR");
+  takesWholeNumber(command->add_option("--part", arguments->app.part,
+                                       "The part to begin with; 0 renders the warm-up"),
+                   0, 6);
+  addSamplerOption(*command, arguments->sampler);
+  takesWholeNumber(command->add_option("--seed", arguments->app.request.seed,
+                                       "Seed of the random numbers (default: 0)"),
+                   0, std::numeric_limits<std::int64_t>::max());
+  takesWholeNumber(command->add_option("--threads", arguments->threads,
+                                       "Render threads (default: one for each processor)"),
+                   1, kMaxThreads);
+  takesSeconds(command->add_option("--stop-after", arguments->app.request.secondsWithoutAnswer,
+                                   "Stop coursework that gives no answer for this many seconds "
+                                   "(default: 10)"),
+               0.1, 86400.0);
+  command->add_option("--size", arguments->size, "Of the window (default: 1280x800)")
+      ->type_name("WxH");
+  command
+      ->add_option("--scale", arguments->scale,
+                   "Of letters and buttons, such as 2 on a high-density screen (default: the "
+                   "screen's own)")
+      ->type_name("X")
+      ->check(CLI::Range(0.5, 8.0));
+  command
+      ->add_option("--tab", arguments->tab,
+                   "The panel to begin with: progress, samples, paths, compare or view")
+      ->type_name("NAME");
+  command->add_option("--pick", arguments->pick, "A pixel whose paths to show: COLUMN,ROW")
+      ->type_name("X,Y");
+  command->add_option("--exposure", arguments->app.exposureStops, "In stops, such as -1")
+      ->type_name("STOPS");
+  takesWholeNumber(
+      command->add_option("--after-rays", arguments->rays, "Stop at so many rays per pixel"), 1,
+      1000000000);
+  command
+      ->add_option("--screenshot", arguments->screenshot,
+                   "Write the window as a PNG file after those rays, and end")
+      ->type_name("FILE");
+  command
+      ->add_option("--picture", arguments->picture,
+                   "Write the picture as a .png or .exr file after those rays, and end")
+      ->type_name("FILE");
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark preview\n"
+      "  ./pathmark preview ucl_rectangle --part 2\n"
+      "  ./pathmark preview cornell_box --with solutions\n"
+      "  ./pathmark preview student/scenes/my_scene.json --scale 2\n"
+      "  ./pathmark preview cornell_box --tab paths --pick 128,90 --after-rays 64 --screenshot "
+      "window.png\n"
+      "  xvfb-run -s \"-screen 0 1280x800x24\" ./pathmark preview --after-rays 64 --screenshot "
+      "window.png\n"
+      "                                        (where there is no display)\n\n"
+      "In the window, ? shows the keys; handouts/preview.md explains the rest.\n"
+      "Exit code: 0 closed, or the script is done; with --screenshot or --picture 1 if the "
+      "coursework\n"
+      "is at fault; 2 the command line or the scene is, 3 the machine is: no display, for "
+      "example.");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return openPreview(*arguments); }; });
+}
+
+}  // namespace pathmark

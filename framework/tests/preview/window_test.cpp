@@ -1,0 +1,186 @@
+// The preview as a student uses it: the real window on a virtual display, real files saved.
+#include "film/image_file.h"
+#include "preview/real_window.h"
+#include "support/run_command.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace pathmark::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Grey where tracePath says so; in a room without anything.
+constexpr const char* kBright = "  return Colour(0.8f);";
+constexpr const char* kDark = "  return Colour(0.1f);";
+
+// In the middle of the picture, whatever the window's size.
+std::array<double, 3> pictureOf(const Image& window) {
+  return meanOf(window, window.width / 4, window.height / 2, 16, 16);
+}
+
+class Preview : public ::testing::Test {
+ protected:
+  // A window with the test's own coursework.
+  RealWindow open(std::vector<std::string> more = {"--after-rays", "128"}) {
+    std::vector<std::string> arguments{
+        "empty_furnace", "--with", coursework_.folder().string(), "--tab", "view",
+        "--stop-after",  "1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RealWindow(display_, arguments);
+  }
+
+  VirtualDisplay display_;
+  TestCoursework coursework_;
+};
+
+TEST_F(Preview, ShowsThePictureThatRenderMakes) {
+  coursework_.setTracePath("  return Colour(sampler.next1D(), sampler.next1D(), 0.5f);");
+  const std::string with = coursework_.folder().string();
+  TemporaryFolder folder;
+  RealWindow window = open({"--after-rays", "64", "--picture", (folder / "seen.exr").string(),
+                            "--screenshot", (folder / "window.png").string()});
+  EXPECT_EQ(window.wait(), 0) << window.log();
+  const ProcessResult rendered =
+      run({PATHMARK_PROGRAM, "render", "empty_furnace", "--with", with, "--rays-per-pixel", "64",
+           "--output", (folder / "rendered.exr").string()});
+  ASSERT_EQ(rendered.exitCode, 0) << rendered.output;
+  EXPECT_EQ(readImage(folder / "seen.exr").image.rgb, readImage(folder / "rendered.exr").image.rgb);
+  const auto mean = pictureOf(readImage(folder / "window.png").image);
+  EXPECT_NEAR(mean[2], 0.5, 0.02);
+  EXPECT_NEAR(mean[0], 0.5, 0.1);
+}
+
+TEST_F(Preview, RendersAnewAfterASave) {
+  coursework_.setTracePath(kBright);
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  EXPECT_NEAR(pictureOf(window.screenshot())[0], 0.8, 0.02);
+  coursework_.setTracePath(kDark);
+  EXPECT_TRUE(waitFor([&] { return pictureOf(window.screenshot())[0] < 0.2; }));
+  EXPECT_NEAR(pictureOf(window.screenshot())[0], 0.1, 0.02);
+}
+
+TEST_F(Preview, KeepsThePictureWhileAFileDoesNotCompile) {
+  coursework_.setTracePath(kBright);
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  const Image before = window.screenshot();
+  coursework_.setTracePath("  return nonsense;");
+  window.waitForTitle("does not compile");
+  const Image during = window.screenshot();
+  EXPECT_NEAR(pictureOf(during)[0], 0.8, 0.02);
+  // The banner lies above the picture.
+  EXPECT_NE(meanOf(before, 100, 40, 300, 40), meanOf(during, 100, 40, 300, 40));
+  coursework_.setTracePath(kDark);
+  EXPECT_TRUE(window.waitForTitleWithout("does not compile"));
+  EXPECT_TRUE(waitFor([&] { return pictureOf(window.screenshot())[0] < 0.2; }));
+}
+
+TEST_F(Preview, SurvivesACrashAndAnEndlessLoop) {
+  coursework_.setTracePath(kBright);
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  for (const char* body : {"  volatile int* p = nullptr; *p = 1; return Colour(0.0f);",
+                           "  for (volatile int i = 0;; i = i) {}"}) {
+    coursework_.setTracePath(body);
+    window.waitForTitle("stopped");
+    EXPECT_NEAR(pictureOf(window.screenshot())[0], 0.8, 0.02);
+    coursework_.setTracePath(kBright);
+    EXPECT_TRUE(window.waitForTitleWithout("stopped"));
+  }
+  coursework_.setTracePath(kDark);
+  EXPECT_TRUE(waitFor([&] { return pictureOf(window.screenshot())[0] < 0.2; }));
+  EXPECT_TRUE(window.running());
+}
+
+// tracePath shows the direction of the ray.
+TEST_F(Preview, MovesTheCameraWithTheMouseAndBackWithAKey) {
+  coursework_.setTracePath("  return 0.5f * ray.direction + Colour(0.5f);");
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  const auto before = pictureOf(window.screenshot());
+  window.drag(400, 400, 600, 400);
+  const auto differs = [&] {
+    const auto now = pictureOf(window.screenshot());
+    return std::abs(now[0] - before[0]) + std::abs(now[2] - before[2]) > 0.1;
+  };
+  EXPECT_TRUE(waitFor(differs));
+  window.press("c");
+  EXPECT_TRUE(waitFor([&] { return !differs(); }));
+}
+
+TEST_F(Preview, AnswersToItsKeys) {
+  coursework_.setTracePath(kDark);
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  const Image before = window.screenshot();
+  window.press("question");
+  // The list of keys covers the middle of the window.
+  EXPECT_TRUE(waitFor([&] {
+    return meanOf(window.screenshot(), 500, 300, 250, 200) != meanOf(before, 500, 300, 250, 200);
+  }));
+  window.press("Escape");
+  const double dark = pictureOf(before)[0];
+  for (int k = 0; k < 4; ++k) window.press("plus");
+  EXPECT_TRUE(waitFor([&] { return pictureOf(window.screenshot())[0] > 3.0 * dark; }));
+  window.press("shift+F12");
+  EXPECT_TRUE(waitFor([&] { return fs::exists(window.file("pathmark_empty_furnace_001.exr")); }));
+  window.press("ctrl+q");
+  EXPECT_EQ(window.wait(), 0);
+}
+
+TEST_F(Preview, ShowsTheSceneThatIsSaved) {
+  coursework_.setTracePath("  return 0.5f * ray.direction + Colour(0.5f);");
+  TemporaryFolder folder;
+  const fs::path scene = folder / "own.json";
+  std::string text = textOf(fs::path(PATHMARK_ROOT) / "scenes/empty_furnace.json");
+  std::ofstream(scene) << text;
+  RealWindow window(
+      display_, {scene.string(), "--with", coursework_.folder().string(), "--after-rays", "128"});
+  window.waitForTitle("128 rays");
+  std::ofstream(scene) << "{";
+  window.waitForTitle("scene");
+  std::ofstream(scene) << text;
+  EXPECT_TRUE(window.waitForTitleWithout("scene"));
+}
+
+TEST_F(Preview, FillsAHighDensityWindow) {
+  coursework_.setTracePath(kBright);
+  TemporaryFolder folder;
+  for (const std::string scale : {"1", "2"}) {
+    RealWindow window = open({"--scale", scale, "--after-rays", "1", "--screenshot",
+                              (folder / ("scale" + scale + ".png")).string()});
+    EXPECT_EQ(window.wait(), 0) << window.log();
+  }
+  // Below the menu of scale 1 there is still some of that of scale 2, which is lighter than the
+  // rest.
+  const auto below = [&](const char* file) {
+    return meanOf(readImage(folder / file).image, 1, 26, 5, 8)[0];
+  };
+  EXPECT_GT(below("scale2.png"), 2.0 * below("scale1.png"));
+}
+
+TEST(PreviewWithoutDisplay, SaysSo) {
+  const ProcessResult result = run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
+                                    PATHMARK_PROGRAM, "preview", "--with", "student"});
+  expectSays(result, 3, "There is no display to open a window on (DISPLAY is not set)");
+}
+
+TEST(PreviewCommand, RefusesWhatItCannotDo) {
+  const auto preview = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {PATHMARK_PROGRAM, "preview"});
+    return run(arguments);
+  };
+  expectSays(preview({"no_such_scene"}), 2, "There is no scene no_such_scene");
+  expectSays(preview({"--tab", "nothing"}), 2, "it is one of progress, samples");
+  expectSays(preview({"--screenshot", "a.png"}), 2, "--after-rays");
+  expectSays(preview({"--size", "large"}), 2, "such as 1280x800");
+  expectSays(preview({"--help"}), 0, "Examples:");
+}
+
+}  // namespace
+}  // namespace pathmark::test
