@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <string_view>
+#include <utility>
 
 namespace pathmark::preview {
 
@@ -50,7 +50,6 @@ App::App(Window& window, AppOptions options)
       panels_(std::make_unique<Panels>(
           wake_, [this](CourseworkFunction f) { choosePart(contractOf(f).part); })) {
   request_.estimator = part_ == 0 ? Estimator::kWarmUp : Estimator::kPath;
-  if (options_.pick) panels_->pick(options_.pick->first, options_.pick->second);
   engine_ = std::make_unique<Engine>(request_, wake_);
   state_ = engine_->state();
 }
@@ -81,6 +80,13 @@ int App::run() {
   return interrupted() ? kInterrupted : exitCode_;
 }
 
+Remembered App::remembered() const {
+  return {.width = window_.width(),
+          .height = window_.height(),
+          .scene = std::filesystem::absolute(request_.scene).lexically_normal().string(),
+          .part = part_};
+}
+
 void App::showFrame(Pixels* seen) {
   window_.drawFrame([this](const auto& pressed) { draw(pressed); }, seen);
 }
@@ -94,6 +100,10 @@ void App::takeNews() {
     apply();
   }
   panels_->takeNews(*state_);
+  if (options_.pick && state_->picture) {
+    const auto [column, row] = *std::exchange(options_.pick, std::nullopt);
+    panels_->pick(column, row);
+  }
   if (request_.moving && ImGui::GetTime() - cameraMovedAt_ > kSettleSeconds) {
     request_.moving = false;
     apply();
@@ -189,9 +199,9 @@ void App::savePicture(const std::filesystem::path& file) {
       .sceneHash = picture.fileCamera ? picture.scene->hash : std::string(),
       .coursework = picture.coursework,
       .raysPerPixel = picture.raysPerPixel,
-      .raysPerPass = raysPerPass(static_cast<std::uint64_t>(picture.raysPerPixel)),
+      .raysPerPass = picture.raysPerPass,
       .replicates = std::max(1u, picture.replicates),
-      .seed = request_.seed,
+      .seed = picture.seed,
       .sampler = std::string(kSamplerNames[static_cast<std::size_t>(picture.sampler)]),
       .seconds = picture.seconds};
   try {

@@ -6,6 +6,7 @@
 #include "preview/engine.h"
 #include "preview/frame.h"
 #include "preview/picture_area.h"
+#include "preview/remembered.h"
 #include "preview/window.h"
 
 #include <filesystem>
@@ -24,6 +25,9 @@ class App {
 
   // Until the window is closed, or the script is done. Returns an exit code.
   int run();
+
+  // For the next time.
+  Remembered remembered() const;
 
  private:
   class Panels;
@@ -64,6 +68,7 @@ class App {
   std::uint64_t poseOf_ = 0;     // EngineState::sceneNumber
   double cameraMovedAt_ = -1e9;  // seconds, of ImGui's clock
   int part_ = 5;
+  Tab tab_ = Tab::kProgress;    // that is seen
   std::optional<Tab> openTab_;  // to be opened in this frame
   double stops_ = 0.0;
   bool help_ = false;

@@ -168,7 +168,7 @@ void App::drawPicture(float width) {
       panels_->pick(column, row);
       openTab_ = Tab::kPaths;
     };
-    actions.drawOver = [&](const Placement& at) { panels_->drawOver(frame, at); };
+    actions.drawOver = [&](const Placement& at) { panels_->drawOver(tab_, frame, at); };
     if (area_.draw(panels_->shown(frame), window_.scale(), actions)) {
       request_.camera = pose_->camera();
       request_.moving = true;
@@ -226,6 +226,7 @@ void App::drawPanels() {
       const bool open = openTab_ == tab;
       if (!ImGui::BeginTabItem(kTitles[k], nullptr, open ? ImGuiTabItemFlags_SetSelected : 0))
         continue;
+      tab_ = tab;
       ImGui::BeginChild("panel");
       if (tab == Tab::kView)
         drawView();

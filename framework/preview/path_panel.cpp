@@ -141,7 +141,6 @@ void PathPanel::sortPaths() {
 
 void PathPanel::draw(const Frame& frame) {
   follow(frame);
-  drawnInFrame_ = ImGui::GetFrameCount();
   if (!note_.empty()) warn(note_);
   if (!request_) {
     ImGui::TextWrapped(
@@ -211,8 +210,7 @@ bool PathPanel::cameraIsThatOf(const Picture& picture) const {
 
 void PathPanel::drawOver(const Frame& frame, const Placement& placement) {
   follow(frame);
-  const bool seen = drawnInFrame_ >= ImGui::GetFrameCount() - 1;
-  if (!seen || !request_ || !frame.picture) return;
+  if (!request_ || !frame.picture) return;
   const PathOverlay overlay(frame, placement);
   if (cameraIsThatOf(*frame.picture)) overlay.markPixel(request_->column, request_->row);
   if (!answer_ || !answer_->failure.empty()) return;

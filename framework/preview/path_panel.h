@@ -19,12 +19,10 @@ namespace pathmark::preview {
 
 class PathPanel {
  public:
-  // A pixel of the picture of the last frame; before the first, of the first.
+  // A pixel of the picture of the last frame.
   void pick(int column, int row);
 
   void draw(const Frame& frame);
-
-  // While the panel is seen.
   void drawOver(const Frame& frame, const Placement& placement);
 
   // Whether there will be other paths without anything being done.
@@ -54,7 +52,6 @@ class PathPanel {
   PathSelection selection_;
   int vertexInTable_ = -1;  // that the mouse points at in the table
   std::string note_;        // about a pixel that cannot be picked
-  int drawnInFrame_ = -2;   // of ImGui's count
 };
 
 }  // namespace pathmark::preview

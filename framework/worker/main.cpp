@@ -72,7 +72,7 @@ void answerLoadScene(const Message& request, WorkerState& state) {
 // The memory of a request for a render.
 class RenderMemory {
  public:
-  // Nothing if it does not fit the picture.
+  // Nothing if it does not fit the scene.
   static std::optional<RenderMemory> map(const Message& request, const RenderRequest& body,
                                          const SceneCore& scene) {
     const SimpleCamera camera = cameraOf(scene, body.job);
@@ -96,8 +96,7 @@ class RenderMemory {
   std::size_t pixels_;
 };
 
-// A request that does not fit the picture gets an empty answer, which the host knows for what it
-// is.
+// A request that does not fit the scene gets an empty answer, which the host knows for what it is.
 void answerRender(const Message& request, const WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
   if (!body || !state.scene || body->job.threads > kMaxThreads) return sendReply(request, {});
