@@ -33,11 +33,11 @@ bool near(const Colour& a, const Colour& b, double tolerance, const Colour& scal
 Colour contributionOf(const ShadowRay& ray, const PathVertex& vertex) {
   const Vector way = ray.to - vertex.p;
   const float distance2 = dot(way, way);
-  if (ray.pdf == 0.0f || distance2 == 0.0f || ray.visibility == Visibility::kBlocked || !ray.f)
+  if (ray.pdf == 0.0f || ray.visibility == Visibility::kBlocked || !ray.f ||
+      !faceEachOther(vertex, ray))
     return Colour(0.0f);
   const Vector wi = way / std::sqrt(distance2);
   const float cosX = dot(vertex.n, wi), cosY = -dot(ray.n, wi);
-  if (cosX <= 0.0f || cosY <= 0.0f) return Colour(0.0f);
   return ray.emission * *ray.f * (cosX * cosY / (distance2 * ray.pdf));
 }
 

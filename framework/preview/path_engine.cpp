@@ -57,7 +57,7 @@ void PathEngine::run(const std::stop_token& stop) {
   PathRecording recording;
   for (Wish wish; await(stop, wish);) {
     if (!wish.request) {
-      recording = {};
+      recording.end();
       meet(wish, nullptr);
       continue;
     }

@@ -54,7 +54,7 @@ PathOverlay::PathOverlay(const Frame& frame, const Placement& placement)
 void PathOverlay::draw(const PathAnswer& answer, const PathSelection& selection) const {
   list_.PushClipRect({placement_.left, placement_.top},
                      {placement_.x(camera_.width), placement_.y(camera_.height)}, true);
-  for (std::size_t i = 0; i < answer.paths.size(); ++i)
+  for (std::size_t i = 0; selection.all && i < answer.paths.size(); ++i)
     if (static_cast<int>(i) != selection.path) drawPath(answer.paths[i], answer.accounts[i], false);
   if (selection.path >= 0 && selection.path < static_cast<int>(answer.paths.size())) {
     const auto i = static_cast<std::size_t>(selection.path);
@@ -121,7 +121,7 @@ void PathOverlay::drawVertex(const TracedPath& path, std::size_t k, bool pointed
 
 void PathOverlay::drawShadowRays(const PathVertex& vertex) const {
   for (const ShadowRay& ray : vertex.shadowRays) {
-    if (ray.pdf == 0.0f) continue;
+    if (ray.pdf == 0.0f || !faceEachOther(vertex, ray)) continue;
     const glm::dvec3 from(vertex.p), to(ray.to);
     const bool blocked = ray.visibility == Visibility::kBlocked;
     const ImU32 colour = blocked ? kBlocked : kLight;

@@ -12,6 +12,7 @@ namespace pathmark::preview {
 struct PathSelection {
   int path = -1;    // chosen; its number in the answer, or -1
   int vertex = -1;  // pointed at, of the chosen path, or -1
+  bool all = true;  // the others too
 };
 
 class PathOverlay {

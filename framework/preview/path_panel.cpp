@@ -19,9 +19,42 @@ namespace {
 constexpr ImU32 kWarning = IM_COL32(255, 170, 80, 255);
 constexpr int kMostRays = 256;
 
+// Rays of a request are those of the picture if these are the same.
+bool madeLike(const PathRequest& request, const Picture& picture) {
+  return request.estimator == picture.estimator && request.sampler == picture.sampler &&
+         request.seed == picture.seed && request.raysPerPass == picture.raysPerPass;
+}
+
+void makeLike(PathRequest& request, const Picture& picture) {
+  request.estimator = picture.estimator;
+  request.sampler = picture.sampler;
+  request.seed = picture.seed;
+  request.raysPerPass = picture.raysPerPass;
+}
+
+void say(const std::string& sentence) { wrappedText(sentence, ImGui::GetContentRegionAvail().x); }
+
 void warn(const std::string& sentence) {
   ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
-  ImGui::TextWrapped("! %s", sentence.c_str());
+  say("! " + sentence);
+  ImGui::PopStyleColor();
+}
+
+// The first is often the reason of the others.
+void drawRemarks(const PathAccount& account) {
+  constexpr std::size_t kMost = 2;
+  const std::size_t count = account.remarks.size();
+  for (std::size_t i = 0; i < std::min(count, kMost); ++i) warn(account.remarks[i]);
+  if (count > kMost) warn(fmt::format("{} more like that", count - kMost));
+  if (count == 0) say("Its parts add up to that, and each step is f cos / pdf.");
+}
+
+void legend() {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::TextWrapped(
+      "Point at a vertex, here or in the picture, for all its numbers; a colour has one number "
+      "here, its luminance. Dashes lead to points of lights; they are orange, with a cross, where "
+      "something is in the way. Arrows are normals. ! marks what does not fit.");
   ImGui::PopStyleColor();
 }
 
@@ -31,10 +64,11 @@ void PathPanel::pick(int column, int row) { picked_ = {column, row}; }
 
 // Called by whatever draws first in a frame.
 void PathPanel::follow(const Frame& frame) {
+  const auto& build = frame.coursework->build;
+  if (!coursework_ || (build && !build->worker.empty())) coursework_ = frame.coursework;
   if (frame.picture) followPicture(frame);
-  if (request_ && frame.coursework->number != request_->coursework->number &&
-      frame.coursework->build && frame.coursework->build->complete()) {
-    request_->coursework = frame.coursework;
+  if (request_ && request_->coursework->number != coursework_->number) {
+    request_->coursework = coursework_;
     engine_.ask(*request_, *frame.wake);
   }
   takeAnswer();
@@ -42,34 +76,40 @@ void PathPanel::follow(const Frame& frame) {
 
 void PathPanel::followPicture(const Frame& frame) {
   const std::shared_ptr<const Picture> before = std::exchange(picture_, frame.picture);
-  if (request_ && request_->scene->hash != picture_->scene->hash) {
-    request_.reset();
-    answer_.reset();
-    engine_.forget();
-  }
-  if (request_ && request_->estimator != picture_->estimator) {
-    request_->estimator = picture_->estimator;
+  const Picture& now = *picture_;
+  if (request_ && request_->scene->hash != now.scene->hash) forget();
+  if (request_ && !madeLike(*request_, now)) {
+    makeLike(*request_, now);
     engine_.ask(*request_, *frame.wake);
   }
-  if (!picked_) return;
-  // What was clicked at is the picture that was there before this frame.
-  const Picture& seen = before && before->scene == picture_->scene ? *before : *picture_;
+  if (picked_) followPick(before && before->scene == now.scene ? *before : now, frame);
+}
+
+void PathPanel::followPick(const Picture& seen, const Frame& frame) {
   const auto [column, row] = *std::exchange(picked_, std::nullopt);
-  if (column < 0 || row < 0 || column >= static_cast<int>(seen.camera.width) ||
-      row >= static_cast<int>(seen.camera.height))
+  const FlatCamera& camera = seen.camera;
+  note_.clear();
+  if (column < 0 || row < 0 || column >= static_cast<int>(camera.width) ||
+      row >= static_cast<int>(camera.height)) {
+    note_ = fmt::format("Pixel {}, {} is not in the picture, which has {} x {} pixels.", column,
+                        row, camera.width, camera.height);
     return;
+  }
   request_ = PathRequest{};
   request_->scene = seen.scene;
-  request_->camera = seen.camera;
-  request_->coursework = frame.coursework;
-  request_->estimator = seen.estimator;
-  request_->sampler = seen.sampler;
-  request_->seed = seen.seed;
-  request_->raysPerPass = seen.raysPerPass;
+  request_->camera = camera;
+  request_->coursework = coursework_;
+  makeLike(*request_, seen);
   request_->rays = static_cast<std::uint32_t>(rays_);
   request_->column = column;
   request_->row = row;
   engine_.ask(*request_, *frame.wake);
+}
+
+void PathPanel::forget() {
+  request_.reset();
+  answer_.reset();
+  engine_.forget();
 }
 
 // The chosen path stays if it is of the same pixel: other code sends it another way, and that is
@@ -101,6 +141,7 @@ void PathPanel::sortPaths() {
 
 void PathPanel::draw(const Frame& frame) {
   follow(frame);
+  if (!note_.empty()) warn(note_);
   if (!request_) {
     ImGui::TextWrapped(
         "Click a pixel of the picture: the paths that are traced through it are drawn in the "
@@ -108,6 +149,7 @@ void PathPanel::draw(const Frame& frame) {
     return;
   }
   drawHead();
+  if (!request_) return;
   drawControls(frame);
   if (!answer_) return;
   if (!answer_->failure.empty()) return warn(answer_->failure);
@@ -119,11 +161,14 @@ void PathPanel::draw(const Frame& frame) {
 }
 
 void PathPanel::drawHead() {
-  const std::string busy = engine_.working() ? "  (recording)" : "";
-  ImGui::TextWrapped("Pixel %d, %d%s", request_->column, request_->row, busy.c_str());
+  ImGui::AlignTextToFramePadding();
+  ImGui::Text("Pixel %d, %d%s", request_->column, request_->row,
+              engine_.working() ? "  (recording)" : "");
+  const float width = ImGui::CalcTextSize("Clear").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  if (ImGui::Button("Clear")) return forget();
   if (!answer_ || !answer_->failure.empty()) return;
-  ImGui::TextWrapped("Mean of these %zu paths: %s", answer_->paths.size(),
-                     shortColour(answer_->mean).c_str());
+  say(fmt::format("Mean of these {} paths: {}", answer_->paths.size(), shortColour(answer_->mean)));
   if (!answer_->remark.empty()) warn(answer_->remark);
 }
 
@@ -134,6 +179,7 @@ void PathPanel::drawControls(const Frame& frame) {
     engine_.ask(*request_, *frame.wake);
   }
   ImGui::SameLine();
+  ImGui::Checkbox("draw all", &selection_.all);
   if (ImGui::Checkbox("brightest first", &brightestFirst_) && answer_) sortPaths();
 }
 
@@ -143,19 +189,17 @@ void PathPanel::drawChosen(const Frame& frame) {
   const TracedPath& path = answer_->paths[i];
   const PathAccount& account = answer_->accounts[i];
   ImGui::Spacing();
-  ImGui::TextWrapped("Path %d returned %s.", selection_.path, shortColour(path.radiance).c_str());
-  for (const std::string& remark : account.remarks) warn(remark);
-  if (account.remarks.empty())
-    ImGui::TextWrapped("Its parts add up to that, and each step is f cos / pdf.");
+  say(fmt::format("Path {} returned {}.", selection_.path, shortColour(path.radiance)));
+  drawRemarks(account);
   if (answer_->request.estimator == Estimator::kWarmUp)
-    ImGui::TextWrapped("Part 0: f and pdf are those of the task, as your own cannot be seen.");
+    say("Part 0: f and pdf are those of the task, as your own cannot be seen.");
   throughputBar(frame.scale);
   vertexInTable_ = vertexTable(*answer_, selection_.path, selection_.vertex, frame.scale);
   const int told = vertexInTable_ >= 0 ? vertexInTable_ : selection_.vertex;
   if (told >= 0 && told < static_cast<int>(path.vertices.size()))
-    describeVertexHere(*answer_, selection_.path, told);
+    describeVertexHere(*answer_, selection_.path, told, ImGui::GetContentRegionAvail().x);
   else
-    ImGui::TextDisabled("Point at a vertex, here or in the picture.");
+    legend();
 }
 
 bool PathPanel::cameraIsThatOf(const Picture& picture) const {
@@ -176,9 +220,7 @@ void PathPanel::drawOver(const Frame& frame, const Placement& placement) {
       any && ImGui::IsWindowHovered() ? overlay.vertexAtMouse(answer_->paths[chosen]) : -1;
   if (atMouse >= 0) {
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(420.0f * frame.scale);
-    describeVertexHere(*answer_, selection_.path, atMouse);
-    ImGui::PopTextWrapPos();
+    describeVertexHere(*answer_, selection_.path, atMouse, 420.0f * frame.scale);
     ImGui::EndTooltip();
   }
   selection_.vertex = atMouse >= 0 ? atMouse : vertexInTable_;

@@ -103,6 +103,11 @@ std::vector<TracedPath> readPaths(std::span<const PathEvent> events) {
   return paths;
 }
 
+bool faceEachOther(const PathVertex& vertex, const ShadowRay& ray) {
+  const Vector way = ray.to - vertex.p;
+  return dot(vertex.n, way) > 0.0f && dot(ray.n, way) < 0.0f;
+}
+
 bool isFinite(const vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

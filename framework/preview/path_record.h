@@ -63,6 +63,9 @@ struct PathVertex {
   bool seenFromFront() const { return dot(origin - p, n) > 0.0f; }
 };
 
+// Without that there is no light from there, whatever lies between.
+bool faceEachOther(const PathVertex& vertex, const ShadowRay& ray);
+
 struct TracedPath {
   int number = 0;  // of the pixel's rays, from 0
   Ray camera;

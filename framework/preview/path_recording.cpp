@@ -1,15 +1,14 @@
 #include "preview/path_recording.h"
 
 #include "host/render_state.h"
+#include "host/stub_report.h"
 #include "preview/path_remarks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <stdexcept>
 
 namespace pathmark::preview {
@@ -18,34 +17,10 @@ namespace {
 
 constexpr double kSecondsWithoutAnswer = 5.0;
 
-bool same(const FlatCamera& a, const FlatCamera& b) {
-  return a.eye == b.eye && a.topLeft == b.topLeft && a.pixelRight == b.pixelRight &&
-         a.pixelDown == b.pixelDown && a.width == b.width && a.height == b.height;
-}
-
 // A sentence, for which there can be no paths.
 class NoPaths : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-// Asks a recording that is not wanted any more to end, and ends it a little later.
-class Patience {
- public:
-  explicit Patience(const std::function<bool()>& wanted) : wanted_(wanted) {}
-
-  bool operator()(const RenderProgress&) {
-    if (wanted_()) return true;
-    constexpr std::chrono::milliseconds kPatience{200};
-    const auto now = std::chrono::steady_clock::now();
-    if (!unwantedSince_) unwantedSince_ = now;
-    if (now - *unwantedSince_ > kPatience) throw Unwanted{false};
-    return false;
-  }
-
- private:
-  const std::function<bool()>& wanted_;
-  std::optional<std::chrono::steady_clock::time_point> unwantedSince_;
 };
 
 RenderJob jobFor(const PathRequest& request) {
@@ -56,21 +31,9 @@ RenderJob jobFor(const PathRequest& request) {
   job.raysPerPass = request.raysPerPass;
   job.rays = (request.rays + request.raysPerPass - 1) / request.raysPerPass * request.raysPerPass;
   job.region = {request.column, request.row, 1, 1};
+  job.ownCamera = 1;
+  job.camera = request.camera;
   return job;
-}
-
-std::string noPathsSentence(const PathRequest& request) {
-  const auto unwritten = [&](CourseworkFunction f) {
-    return request.coursework->stubs.isUnwritten(f);
-  };
-  for (const CourseworkFunction f :
-       {CourseworkFunction::kRenderPixel, CourseworkFunction::kTracePath})
-    if (request.estimator == Estimator::kPath && unwritten(f))
-      return fmt::format("No paths to see: {} (part {}) is not written yet.", contractOf(f).name,
-                         contractOf(f).part);
-  if (request.estimator == Estimator::kWarmUp)
-    return "No paths to see: get_ray_radiance was not called.";
-  return "No paths to see: renderPixel does not call the tracePath of another file.";
 }
 
 Colour meanOf(const std::vector<TracedPath>& paths) {
@@ -128,52 +91,68 @@ std::string otherPathsRemark(const Colour& recorded, const Colour& rendered) {
 }  // namespace
 
 PathAnswer PathRecording::record(const PathRequest& request, const std::function<bool()>& wanted) {
+  wanted_ = &wanted;
+  unwantedSince_.reset();
   PathAnswer answer;
   answer.request = request;
   try {
     start(request);
+    requireWritten(request);
     load(request);
-    fill(answer, wanted);
-  } catch (const Unwanted& unwanted) {
-    if (!unwanted.workerIsReady) worker_.reset();
-    throw;
+    fill(answer);
+  } catch (const WorkerStopped&) {
+    end();
   } catch (const std::exception& e) {
-    worker_.reset();
+    end();
     answer.failure = e.what();
     answer.paths.clear();
     answer.accounts.clear();
   }
+  if (!wanted()) throw Unwanted();
   return answer;
+}
+
+void PathRecording::end() {
+  worker_.reset();
+  scene_.reset();
+}
+
+bool PathRecording::isWanted() { return (*wanted_)(); }
+
+// A recording that is not wanted any more is asked to end, and is ended a little later.
+bool PathRecording::isPatient() {
+  constexpr std::chrono::milliseconds kPatience{200};
+  if (isWanted()) return true;
+  if (!unwantedSince_) unwantedSince_ = Clock::now();
+  return Clock::now() - *unwantedSince_ < kPatience;
 }
 
 void PathRecording::start(const PathRequest& request) {
   if (worker_ && build_ == request.coursework->number) return;
-  worker_.reset();
-  scene_.reset();
-  if (!request.coursework->build || !request.coursework->build->complete())
+  end();
+  const auto& build = request.coursework->build;
+  if (!build || build->worker.empty() || !build->complete())
     throw NoPaths("The paths can be seen when the coursework compiles.");
-  const LinkedWorker linked = linkForRecording(*request.coursework->build);
+  const LinkedWorker linked = linkForRecording(*build);
   if (linked.worker.empty()) throw NoPaths(linked.failure);
   WorkerProcess::Options options;
   options.program = linked.worker;
-  options.courseworkFolder = request.coursework->build->folder;
+  options.courseworkFolder = build->folder;
   options.limits.secondsWithoutAnswer = kSecondsWithoutAnswer;
+  options.goOn = [this] { return isPatient(); };
   worker_ = std::make_unique<WorkerProcess>(std::move(options));
   build_ = request.coursework->number;
 }
 
 void PathRecording::load(const PathRequest& request) {
-  if (scene_ == request.scene && same(camera_, request.camera)) return;
-  FlatScene scene = request.scene->loaded.flat;
-  scene.camera = request.camera;
-  worker_->loadScene(scene);
+  if (scene_ == request.scene) return;
+  worker_->loadScene(request.scene->loaded.flat);
   scene_ = request.scene;
-  camera_ = request.camera;
 }
 
-// The request's pixel, as a job has left it in a new film.
-template <class Render>
-FilmPixel PathRecording::pixelOf(const PathRequest& request, const Render& render) {
+// The request's pixel, as a render has left it in a new film.
+FilmPixel PathRecording::pixelOf(const PathRequest& request,
+                                 const std::function<void(SharedFilm&)>& render) {
   SharedFilm film(static_cast<int>(request.camera.width), static_cast<int>(request.camera.height));
   render(film);
   const FilmPixel pixel =
@@ -184,18 +163,32 @@ FilmPixel PathRecording::pixelOf(const PathRequest& request, const Render& rende
   return pixel;
 }
 
-void PathRecording::fill(PathAnswer& answer, const std::function<bool()>& wanted) {
+void PathRecording::requireWritten(const PathRequest& request) {
+  const StubReport stubs = makeStubReport(worker_->stubs());
+  const bool warmUp = request.estimator == Estimator::kWarmUp;
+  for (const CourseworkFunction f :
+       {CourseworkFunction::kGetRayRadiance, CourseworkFunction::kRenderPixel,
+        CourseworkFunction::kTracePath}) {
+    const FunctionContract& function = contractOf(f);
+    if ((function.part == 0) == warmUp && stubs.isUnwritten(f))
+      throw NoPaths(fmt::format("No paths to see: {} (part {}) is not written yet.", function.name,
+                                function.part));
+  }
+}
+
+void PathRecording::fill(PathAnswer& answer) {
   const PathRequest& request = answer.request;
   const RenderJob job = jobFor(request);
+  const auto goOn = [this](const RenderProgress&) { return isWanted(); };
   RecordedPaths recorded;
-  const FilmPixel pixel = pixelOf(request, [&](SharedFilm& film) {
-    recorded = worker_->recordPaths(job, film, Patience(wanted));
-  });
+  const FilmPixel pixel =
+      pixelOf(request, [&](SharedFilm& film) { recorded = worker_->recordPaths(job, film, goOn); });
   const FilmPixel again =
-      pixelOf(request, [&](SharedFilm& film) { worker_->render(job, film, Patience(wanted)); });
-  if (!wanted()) throw Unwanted{true};
+      pixelOf(request, [&](SharedFilm& film) { worker_->render(job, film, goOn); });
+  if (!isWanted()) return;
   answer.paths = readPaths(recorded.events);
-  if (answer.paths.empty()) throw NoPaths(noPathsSentence(request));
+  if (answer.paths.empty())
+    throw NoPaths("No paths to see: renderPixel does not call the tracePath of another file.");
   answer.pixelRays = job.rays;
   answer.pixel = meanOf(pixel);
   answer.remark = same(pixel, again) ? pixelRemark(pixel, answer, recorded.counts)

@@ -61,8 +61,9 @@ void vertexRow(const TracedPath& path, const PathAccount& account, std::size_t k
   if (!vertex.roulette)
     ImGui::TableNextColumn();
   else
-    cell(vertex.roulette->survives ? shortNumber(static_cast<double>(vertex.roulette->weight))
-                                   : "ends");
+    cell(vertex.roulette->survives
+             ? "\u00d7" + shortNumber(static_cast<double>(vertex.roulette->weight))
+             : "ends");
 }
 
 }  // namespace
@@ -132,11 +133,27 @@ int vertexTable(const PathAnswer& answer, int number, int pointedAt, float scale
   return hovered;
 }
 
-void describeVertexHere(const PathAnswer& answer, int path, int vertex) {
+void describeVertexHere(const PathAnswer& answer, int path, int vertex, float width) {
   const auto i = static_cast<std::size_t>(path);
   const auto lines = describeVertex(answer.paths[i], answer.accounts[i],
                                     static_cast<std::size_t>(vertex), answer.request.scene->loaded);
-  for (const std::string& line : lines) ImGui::TextWrapped("%s", line.c_str());
+  for (const std::string& line : lines) wrappedText(line, width);
+}
+
+void wrappedText(const std::string& sentence, float width) {
+  std::string line;
+  for (std::size_t at = 0; at < sentence.size();) {
+    const std::size_t end = std::min(sentence.find(' ', at + 1), sentence.size());
+    const std::string longer = line + sentence.substr(at, end - at);
+    if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
+      text(line);
+      line = sentence.substr(at + 1, end - at - 1);
+    } else {
+      line = longer;
+    }
+    at = end;
+  }
+  text(line);
 }
 
 void throughputBar(float scale) {
@@ -150,12 +167,16 @@ void throughputBar(float scale) {
                                               IM_COL32(c.r, c.g, c.b, 255));
   }
   ImGui::Dummy({width, height});
-  const std::string high = shortNumber(kBrightestThroughput) + " and more";
-  text(shortNumber(kDarkestThroughput) + " and less");
-  ImGui::SameLine((width - ImGui::CalcTextSize("throughput").x) * 0.5f);
-  text("throughput");
-  ImGui::SameLine(width - ImGui::CalcTextSize(high.c_str()).x + ImGui::GetStyle().WindowPadding.x);
-  text(high);
+  const float left = ImGui::GetCursorPosX();
+  const auto label = [&](const std::string& words, float place) {
+    const float room = width - ImGui::CalcTextSize(words.c_str()).x;
+    ImGui::SameLine(left + place * std::max(room, 0.0f));
+    text(words);
+  };
+  ImGui::NewLine();
+  label(shortNumber(kDarkestThroughput), 0.0f);
+  label("throughput", 0.5f);
+  label(shortNumber(kBrightestThroughput) + " and more", 1.0f);
 }
 
 }  // namespace pathmark::preview

@@ -3,11 +3,13 @@
 //   pathList       the paths of the pixel
 //   vertexTable    the vertices of one path, and what is known of one of them
 //   throughputBar  what the colours mean
+//   wrappedText    a sentence with numbers
 #pragma once
 
 #include "preview/path_engine.h"
 
 #include <span>
+#include <string>
 
 namespace pathmark::preview {
 
@@ -17,8 +19,11 @@ int pathList(const PathAnswer& answer, std::span<const int> order, int chosen, f
 // Returns the vertex that the mouse points at, or -1.
 int vertexTable(const PathAnswer& answer, int path, int pointedAt, float scale);
 
-void describeVertexHere(const PathAnswer& answer, int path, int vertex);
+void describeVertexHere(const PathAnswer& answer, int path, int vertex, float width);
 
 void throughputBar(float scale);
+
+// In lines that end between words, and never within a number as ImGui's own.
+void wrappedText(const std::string& sentence, float width);
 
 }  // namespace pathmark::preview

@@ -18,35 +18,44 @@ glm::dvec3 inFile(const Point& p, const LoadedScene& scene) {
   return glm::dvec3(p) / n.scale + glm::dvec3(n.shift[0], n.shift[1], n.shift[2]);
 }
 
-std::string shadowRayText(const ShadowRay& ray, const Colour& contribution,
-                          const LoadedScene& scene) {
-  const double scale = scene.normalisation.scale;
-  std::string text =
-      fmt::format("  light at {}, pdf {} per area: ", vectorText(inFile(ray.to, scene)),
-                  shortNumber(static_cast<double>(ray.pdf) * scale * scale));
+std::string visibilityText(const PathVertex& vertex, const ShadowRay& ray,
+                           const LoadedScene& scene) {
   switch (ray.visibility) {
     case Visibility::kBlocked:
-      return text + fmt::format("blocked at {}", vectorText(inFile(ray.blocker, scene)));
+      return fmt::format("blocked at {}", vectorText(inFile(ray.blocker, scene)));
     case Visibility::kVisible:
-      text += "visible";
-      break;
+      return "visible";
     case Visibility::kNotAsked:
-      text += "visible() not asked";
       break;
   }
-  if (ray.f) text += fmt::format(", f {}", shortColour(*ray.f));
-  return text + fmt::format(", Le f G V / pdf = {}", shortColour(contribution));
+  return faceEachOther(vertex, ray) ? "visible() not called" : "behind one of the two surfaces";
 }
 
-std::string directionText(const Scattering& next) {
-  if (next.pdf == 0.0f) return "no direction: reflection() returned pdf 0";
-  std::string text = fmt::format("goes on to {}, pdf {}, cos {}", vectorText(glm::dvec3(next.wi)),
-                                 shortNumber(static_cast<double>(next.pdf)),
-                                 shortNumber(static_cast<double>(next.cosine)));
+void describeShadowRay(const PathVertex& vertex, const ShadowRay& ray, const Colour& contribution,
+                       const LoadedScene& scene, std::vector<std::string>& lines) {
+  const double scale = scene.normalisation.scale;
+  lines.push_back(fmt::format("  light at {}: {}", vectorText(inFile(ray.to, scene)),
+                              visibilityText(vertex, ray, scene)));
+  std::string numbers =
+      fmt::format("  pdf {} per area", shortNumber(static_cast<double>(ray.pdf) * scale * scale));
+  if (ray.f) numbers += fmt::format(", f {}", shortColour(*ray.f));
+  lines.push_back(numbers);
+  if (contribution != Colour(0.0f))
+    lines.push_back(fmt::format("  Le f G V / pdf = {}", shortColour(contribution)));
+}
+
+void describeDirection(const Scattering& next, std::vector<std::string>& lines) {
+  if (next.pdf == 0.0f) {
+    lines.emplace_back("no direction: reflection() returned pdf 0");
+    return;
+  }
+  lines.push_back(fmt::format("goes on to {}", vectorText(glm::dvec3(next.wi))));
+  lines.push_back(fmt::format("  pdf {}, cos {}{}", shortNumber(static_cast<double>(next.pdf)),
+                              shortNumber(static_cast<double>(next.cosine)),
+                              next.f ? ", f " + shortColour(*next.f) : std::string()));
   if (next.f)
-    text += fmt::format(", f {}, f cos / pdf = {}", shortColour(*next.f),
-                        shortColour(*next.f * (next.cosine / next.pdf)));
-  return text;
+    lines.push_back(
+        fmt::format("  f cos / pdf = {}", shortColour(*next.f * (next.cosine / next.pdf))));
 }
 
 std::string rouletteText(const RouletteCall& roulette) {
@@ -96,8 +105,8 @@ std::vector<std::string> describeVertex(const TracedPath& path, const PathAccoun
     lines.push_back(fmt::format("directLighting returned {}, which adds {}",
                                 shortColour(*vertex.direct), shortColour(v.direct)));
   for (std::size_t i = 0; i < vertex.shadowRays.size(); ++i)
-    lines.push_back(shadowRayText(vertex.shadowRays[i], v.shadowRays[i], scene));
-  if (vertex.next) lines.push_back(directionText(*vertex.next));
+    describeShadowRay(vertex, vertex.shadowRays[i], v.shadowRays[i], scene, lines);
+  if (vertex.next) describeDirection(*vertex.next, lines);
   if (vertex.roulette) lines.push_back(rouletteText(*vertex.roulette));
   return lines;
 }
