@@ -89,7 +89,8 @@ void chooseFunction(SampleSettings& settings, int part) {
       std::find_if(kSampledFunctions.begin(), kSampledFunctions.end(),
                    [&](const SampledFunction& f) { return f.function == settings.function; });
   ImGui::SetNextItemWidth(-1.0f);
-  if (!ImGui::BeginCombo("##function", labelOf(*chosen).c_str())) return;
+  if (!ImGui::BeginCombo("##function", labelOf(*chosen).c_str(), ImGuiComboFlags_HeightLarge))
+    return;
   bool any = false;
   for (const SampledFunction& f : kSampledFunctions)
     if (contractOf(f.function).part == part) {

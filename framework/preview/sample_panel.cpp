@@ -54,11 +54,12 @@ void SamplePanel::draw(const Frame& frame) {
   const auto newest = ask(frame);
   const bool fits = newest && newest->settings.function == settings_.function;
   const auto answer = fits ? newest : emptyAnswer(settings_);
-  showScene(*answer, frame);
+  const float end = showScene(*answer, frame);
   chooseLook(*answer);
   chooseParameters(settings_, frame.scale);
   showNumbers(*answer, frame.scale);
   keepTime(frame);
+  below_ = ImGui::GetCursorPosY() - end;
 }
 
 void SamplePanel::choose(CourseworkFunction function) {
@@ -67,6 +68,13 @@ void SamplePanel::choose(CourseworkFunction function) {
 }
 
 bool SamplePanel::busy(const Frame& frame) const {
+  if (!frame.coursework->build) return false;
+  const bool checked =
+      frame.checks && frame.checks->finished && frame.checks->build == frame.coursework->number;
+  return !checked || awaitsSamples(frame);
+}
+
+bool SamplePanel::awaitsSamples(const Frame& frame) const {
   if (!frame.coursework->build) return false;
   const auto newest = engine_ ? engine_->newest() : nullptr;
   return !newest || newest->settings != settings_ || newest->build != frame.coursework->number;
@@ -104,14 +112,20 @@ void SamplePanel::showVerdict(const Frame& frame) const {
   ImGui::EndGroup();
 }
 
-void SamplePanel::showScene(const SampleAnswer& answer, const Frame& frame) {
+// Returns where the scene ends.
+float SamplePanel::showScene(const SampleAnswer& answer, const Frame& frame) {
   const float width = ImGui::GetContentRegionAvail().x;
   SampleScene::Look look;
   look.colouring = colouring_;
   look.scale = frame.scale;
-  look.size = {width, std::min(0.72f * width, 320.0f * frame.scale)};
+  // As much as is left, so that everything is in sight where that is possible.
+  const float least = 200.0f * frame.scale, most = std::max(0.72f * width, least);
+  look.size = {
+      width, std::clamp(ImGui::GetContentRegionAvail().y - below_ - ImGui::GetStyle().ItemSpacing.y,
+                        least, most)};
   look.shown = playback_.shown(answer.set.samples.size(), ImGui::GetTime());
   scene_.draw(answer.set, look);
+  const float end = ImGui::GetCursorPosY();
   if (!frame.coursework->build)
     write(kNeutralColour, "The coursework is being built.");
   else if (answer.kind == SampleAnswer::Kind::kNotWritten)
@@ -119,6 +133,7 @@ void SamplePanel::showScene(const SampleAnswer& answer, const Frame& frame) {
   else if (!answer.sentence.empty())
     write(kBadColour, answer.sentence);
   if (!answer.note.empty()) write(kBadColour, answer.note);
+  return end;
 }
 
 void SamplePanel::chooseLook(const SampleAnswer& answer) {
@@ -157,17 +172,17 @@ void SamplePanel::showNumbers(const SampleAnswer& answer, float scale) {
   write(kNeutralColour, "For the eye: the verdict above is the checks'.");
   if (set.claimedOverExpected)
     write(kTextColour, fmt::format("claimed density: {:.4g} to {:.4g}\n"
-                                   "claimed / expected: {:.4f} to {:.4f}",
+                                   "claimed / expected: {:.4g} to {:.4g}",
                                    set.claimed->low, set.claimed->high,
                                    set.claimedOverExpected->low, set.claimedOverExpected->high));
-  for (const std::string& remark : remarksOn(set)) write(kBadColour, remark);
+  for (const std::string& remark : remarksOn(set)) write(kTextColour, remark);
 }
 
 // Frames while samples appear, and so that a long wait is told of.
 void SamplePanel::keepTime(const Frame& frame) {
   constexpr double kLong = 0.4;  // seconds
   const double now = ImGui::GetTime();
-  const bool waiting = busy(frame);
+  const bool waiting = awaitsSamples(frame);
   if (!waiting)
     waitingSince_ = -1.0;
   else if (waitingSince_ < 0.0)

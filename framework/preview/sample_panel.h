@@ -21,14 +21,15 @@ class SamplePanel {
   // Shows this function, if it can be shown.
   void choose(CourseworkFunction function);
 
-  // Whether there will be other samples without anything being done.
+  // Whether there will be other samples or another verdict without anything being done.
   bool busy(const Frame& frame) const;
 
  private:
+  bool awaitsSamples(const Frame& frame) const;
   void followPart(int part);
   std::shared_ptr<const SampleAnswer> ask(const Frame& frame);
   void showVerdict(const Frame& frame) const;
-  void showScene(const SampleAnswer& answer, const Frame& frame);
+  float showScene(const SampleAnswer& answer, const Frame& frame);
   void chooseLook(const SampleAnswer& answer);
   void showNumbers(const SampleAnswer& answer, float scale);
   void keepTime(const Frame& frame);
@@ -39,6 +40,7 @@ class SamplePanel {
   bool weighted_ = false;
   Playback playback_;
   SampleScene scene_;
+  float below_ = 0.0f;                    // height of what was drawn below the scene last time
   double waitingSince_ = -1.0;            // for an answer; negative: not
   std::unique_ptr<SampleEngine> engine_;  // from the first frame on
   std::optional<Metronome> metronome_;    // while something moves by itself
