@@ -7,5 +7,6 @@ namespace pathmark::bench {
 
 void addBenchRaysCommand(CLI::App& bench, CommandAction& action);
 void addBenchRenderCommand(CLI::App& bench, CommandAction& action);
+void addBenchPreviewCommand(CLI::App& bench, CommandAction& action);
 
 }  // namespace pathmark::bench

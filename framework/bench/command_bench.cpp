@@ -11,16 +11,18 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
   bench->require_subcommand(0, 1);
   bench->callback([bench] {
     if (bench->get_subcommands().empty())
-      throw UsageError("bench is told what to measure: rays or render.");
+      throw UsageError("bench is told what to measure: rays, render or preview.");
   });
   bench::addBenchRaysCommand(*bench, action);
   bench::addBenchRenderCommand(*bench, action);
+  bench::addBenchPreviewCommand(*bench, action);
   bench->footer(
       "Examples:\n"
       "  ./pathmark bench rays\n"
       "  ./pathmark bench rays --large --json rays.json\n"
       "  ./pathmark bench render\n"
-      "  ./pathmark bench render --peer cycles\n\n"
+      "  ./pathmark bench render --peer cycles\n"
+      "  ./pathmark bench preview\n\n"
       "./pathmark bench COMMAND --help says more about each.");
 }
 

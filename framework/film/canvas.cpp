@@ -1,5 +1,6 @@
 #include "film/canvas.h"
 
+#include "film/srgb.h"
 #include "film/text.h"
 
 #include <algorithm>
@@ -55,12 +56,8 @@ std::vector<double> inkOf(const TextDots& dots, double dot, int width, int heigh
 
 }  // namespace
 
-// The sRGB curve of IEC 61966-2-1, backwards.
 LinearRgb greyOfLevel(int level) {
-  const double encoded = level / 255.0;
-  const double linear =
-      encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-  const auto value = static_cast<float>(linear);
+  const auto value = static_cast<float>(decodeSrgb(level / 255.0));
   return {value, value, value};
 }
 

@@ -14,7 +14,7 @@ struct TileSums {
   RegionSums sums;
 };
 
-// Variances without a number of replicates are taken for those of the fewest that can give any.
+// The fewest that can give any variance where their number is not known.
 std::uint32_t replicatesOf(const ImageFile& file) {
   return file.image.variance.empty() ? 0 : std::max(file.origin.replicates, 2u);
 }
@@ -79,19 +79,18 @@ void testRegions(const std::vector<TileSums>& tiles, const PixelRegion& image,
 
 }  // namespace
 
-Comparison compareImages(const ImageFile& a, const ImageFile& b, const CompareSettings& settings) {
-  const Image &imageA = a.image, &imageB = b.image;
-  if (imageA.width != imageB.width || imageA.height != imageB.height)
+Comparison compareImages(const Image& a, const Image& b, const Replicates& replicates,
+                         const CompareSettings& settings) {
+  if (a.width != b.width || a.height != b.height)
     throw ImageError(fmt::format(
         "The images have {}x{} and {}x{} pixels; only images of the same size can be compared.",
-        imageA.width, imageA.height, imageB.width, imageB.height));
+        a.width, a.height, b.width, b.height));
   Comparison result;
-  result.pixels = findUsablePixels(imageA, imageB);
-  result.replicates = {replicatesOf(a), replicatesOf(b)};
-  result.judged = result.replicates.any() || settings.within;
-  addDifferences(imageA, imageB, result);
-  testRegions(sumTiles(imageA, imageB, settings.tile, result), {0, 0, imageA.width, imageA.height},
-              settings, result);
+  result.pixels = findUsablePixels(a, b);
+  result.replicates = replicates;
+  result.judged = replicates.any() || settings.within;
+  addDifferences(a, b, result);
+  testRegions(sumTiles(a, b, settings.tile, result), {0, 0, a.width, a.height}, settings, result);
   const bool sound =
       result.pixels.sameMarks && result.pixels.a.broken() == 0 && result.pixels.b.broken() == 0;
   const auto differs = [](const RegionResult& region) { return region.differs; };
@@ -100,6 +99,10 @@ Comparison compareImages(const ImageFile& a, const ImageFile& b, const CompareSe
                                  std::none_of(result.whole.begin(), result.whole.end(), differs) &&
                                  std::none_of(result.tiles.begin(), result.tiles.end(), differs));
   return result;
+}
+
+Comparison compareImages(const ImageFile& a, const ImageFile& b, const CompareSettings& settings) {
+  return compareImages(a.image, b.image, {replicatesOf(a), replicatesOf(b)}, settings);
 }
 
 }  // namespace pathmark

@@ -45,6 +45,11 @@ struct Comparison {
 // tests have in common). Without them images are the same if they are equal, or if all these means
 // agree to `within`. Images with NaN, infinite pixels or broken variances always differ.
 // Throws ImageError if the sizes differ.
+Comparison compareImages(const Image& a, const Image& b, const Replicates& replicates,
+                         const CompareSettings& settings);
+
+// The same, with the replicates that the files say, and two where an image has variances but does
+// not say how many.
 Comparison compareImages(const ImageFile& a, const ImageFile& b, const CompareSettings& settings);
 
 }  // namespace pathmark

@@ -1,5 +1,6 @@
 #include "film/image_formats.h"
 #include "film/image_limits.h"
+#include "film/srgb.h"
 
 #include <stb_image.h>
 #include <stb_image_write.h>
@@ -12,20 +13,6 @@
 namespace pathmark {
 
 namespace {
-
-// IEC 61966-2-1.
-double encodeSrgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-double decodeSrgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-std::uint8_t toByte(float radiance, double exposure) {
-  const double linear = std::clamp(static_cast<double>(radiance) * exposure, 0.0, 1.0);
-  return static_cast<std::uint8_t>(std::lround(255.0 * encodeSrgb(linear)));
-}
 
 constexpr std::array<std::uint8_t, 3> kMagenta{255, 0, 255};
 
@@ -59,6 +46,7 @@ std::string encodePngBytes(int width, int height, std::span<const std::uint8_t> 
 }
 
 std::string encodePng(const Image& image, double exposure) {
+  const SrgbBytes& srgb = SrgbBytes::table();
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.rgb.size());
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
@@ -66,7 +54,7 @@ std::string encodePng(const Image& image, double exposure) {
     const bool nan = std::isnan(rgb[0]) || std::isnan(rgb[1]) || std::isnan(rgb[2]);
     const bool invalid = nan || (!image.invalid.empty() && image.invalid[i / 3] != 0);
     for (std::size_t c = 0; c < 3; ++c)
-      bytes.push_back(invalid ? kMagenta[c] : toByte(rgb[c], exposure));
+      bytes.push_back(invalid ? kMagenta[c] : srgb(static_cast<double>(rgb[c]) * exposure));
   }
   return encodePngBytes(image.width, image.height, bytes);
 }

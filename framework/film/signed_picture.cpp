@@ -4,7 +4,6 @@
 #include "stats/quantiles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,20 +21,6 @@ constexpr std::array<Colour8, 5> kReds{
     {{255, 255, 255}, {253, 219, 199}, {244, 165, 130}, {214, 96, 77}, {103, 0, 31}}};
 constexpr std::array<Colour8, 5> kBlues{
     {{255, 255, 255}, {209, 229, 240}, {146, 197, 222}, {67, 147, 195}, {5, 48, 97}}};
-
-Colour8 colourOf(double value, double scale) {
-  if (std::isnan(value)) return kMagenta;
-  const std::array<Colour8, 5>& colours = value < 0.0 ? kBlues : kReds;
-  const double position =
-      std::min(std::abs(value) / scale, 1.0) * static_cast<double>(colours.size() - 1);
-  const std::size_t below = std::min(static_cast<std::size_t>(position), colours.size() - 2);
-  const double fraction = position - static_cast<double>(below);
-  Colour8 colour{};
-  for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>(
-        std::lround(std::lerp(colours[below][c], colours[below + 1][c], fraction)));
-  return colour;
-}
 
 float furtherFromZero(float a, float b) { return std::abs(b) > std::abs(a) ? b : a; }
 
@@ -87,11 +72,25 @@ double fullColour(std::span<const float> values) {
   return 1.0;
 }
 
+std::array<std::uint8_t, 3> signedColour(double value, double scale) {
+  if (std::isnan(value)) return kMagenta;
+  const std::array<Colour8, 5>& colours = value < 0.0 ? kBlues : kReds;
+  const double position =
+      std::min(std::abs(value) / scale, 1.0) * static_cast<double>(colours.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(position), colours.size() - 2);
+  const double fraction = position - static_cast<double>(below);
+  Colour8 colour{};
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<std::uint8_t>(
+        std::lround(std::lerp(colours[below][c], colours[below + 1][c], fraction)));
+  return colour;
+}
+
 std::string encodeSignedPng(int width, int height, std::span<const float> values, double scale) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * values.size());
   for (const float value : values)
-    for (const std::uint8_t c : colourOf(static_cast<double>(value), scale)) bytes.push_back(c);
+    for (const std::uint8_t c : signedColour(static_cast<double>(value), scale)) bytes.push_back(c);
   return encodePngBytes(width, height, bytes);
 }
 

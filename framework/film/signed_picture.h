@@ -2,6 +2,7 @@
 //
 //   largestOfChannels    one number for each pixel of a difference
 //   fullColour           the size that colours such numbers fully
+//   signedColour         of one number
 //   encodeSignedPng      the picture
 //   differenceImage      a - b as an image, for files of numbers
 //   tileScores           z-scores of tiles, for each pixel
@@ -9,6 +10,8 @@
 
 #include "film/compare.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,7 +29,9 @@ std::vector<float> largestOfChannels(const Image& difference, const UsablePixels
 // largest where that is 0, and 1 where there is nothing but 0.
 double fullColour(std::span<const float> values);
 
-// NaN is magenta, as invalid pixels of renders are.
+// Red above 0, blue below, fully from `scale` on; NaN is magenta, as invalid pixels of renders are.
+std::array<std::uint8_t, 3> signedColour(double value, double scale);
+
 std::string encodeSignedPng(int width, int height, std::span<const float> values, double scale);
 
 // Of the three channels the largest by size; NaN outside of all tiles.

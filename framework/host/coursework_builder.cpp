@@ -28,7 +28,8 @@ namespace {
 const fs::path kBuildFolder{build::kBuildFolder};
 const fs::path kProjectFolder{build::kProjectFolder};
 
-const fs::path kContractSymbols = kProjectFolder / "framework/worker/contract.symbols";
+const fs::path kContractSymbols = kProjectFolder / "framework/worker/contract.symbols",
+               kRecordedSymbols = kProjectFolder / "framework/worker/recorded.symbols";
 
 constexpr std::uintmax_t kLargestSource = std::uintmax_t{1} << 20;
 
@@ -189,20 +190,30 @@ void buildParts(std::vector<PartBuild>& parts) {
   for (std::future<void>& other : others) other.get();
 }
 
-// With `lenient`, functions that are nowhere defined get the address zero.
+enum class Linking {
+  kStrict,
+  kLenient,    // functions that are nowhere defined get the address zero
+  kRecording,  // calls of some functions are led to those that record them
+};
+
+std::vector<std::string> linkerOptions(Linking linking) {
+  // Works only in a program that is not moved, and with the system's own linker.
+  if (linking == Linking::kLenient) return {"-no-pie", "-Wl,--unresolved-symbols=ignore-all"};
+  std::vector<std::string> options;
+  if (!build::kLinkerFlag.empty()) options.emplace_back(build::kLinkerFlag);
+  if (linking == Linking::kRecording)
+    for (const std::string& symbol : readLines(kRecordedSymbols))
+      options.push_back("-Wl,--wrap=" + symbol);
+  return options;
+}
+
 ProcessResult runLinker(const std::vector<std::string>& framework,
                         const std::vector<fs::path>& objects, const fs::path& program,
-                        bool lenient) {
+                        Linking linking) {
   ProcessRequest request;
   request.arguments.emplace_back(build::kCompiler);
   for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
-  if (lenient) {
-    // That works only in a program that is not moved, and with the system's own linker.
-    request.arguments.emplace_back("-no-pie");
-    request.arguments.emplace_back("-Wl,--unresolved-symbols=ignore-all");
-  } else if (!build::kLinkerFlag.empty()) {
-    request.arguments.emplace_back(build::kLinkerFlag);
-  }
+  for (std::string& option : linkerOptions(linking)) request.arguments.push_back(std::move(option));
   request.arguments.emplace_back("-pthread");
   request.arguments.emplace_back("-o");
   request.arguments.push_back(program.string());
@@ -224,14 +235,14 @@ fs::path linkedFolder(const std::vector<std::string>& framework,
 
 // Returns the linker's words, if it fails.
 std::string linkInto(const fs::path& folder, const std::vector<std::string>& framework,
-                     const std::vector<fs::path>& objects, bool lenient) {
+                     const std::vector<fs::path>& objects, Linking linking) {
   if (fs::exists(folder / "worker")) {
     markUsed(folder);
     return {};
   }
   const ScratchFolder scratch;
   const fs::path made = scratch / "worker";
-  const ProcessResult linked = runLinker(framework, objects, made, lenient);
+  const ProcessResult linked = runLinker(framework, objects, made, linking);
   if (linked.exitCode != 0) return linked.output.empty() ? "The linker failed.\n" : linked.output;
   fs::create_directories(folder);
   fs::rename(made, folder / "worker");
@@ -249,12 +260,13 @@ void link(CourseworkBuild& result, Incomplete policy) {
   std::vector<fs::path> objects;
   for (const PartBuild& part : result.parts) objects.push_back(part.object);
   fs::path folder = linkedFolder(framework, objects);
-  result.linkMessages = linkInto(folder, framework, objects, !result.complete());
+  result.linkMessages = linkInto(folder, framework, objects,
+                                 result.complete() ? Linking::kStrict : Linking::kLenient);
   if (!result.linkMessages.empty()) {
     if (policy == Incomplete::kNoWorker) return;
     // In a place of its own: the next request for a whole worker must fail again.
     folder = linkedFolder(framework, objects, "partial");
-    if (!linkInto(folder, framework, objects, true).empty()) return;
+    if (!linkInto(folder, framework, objects, Linking::kLenient).empty()) return;
   }
   result.worker = folder / "worker";
 }
@@ -325,7 +337,20 @@ LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int>
       given.push_back(standIns.at(number));
   }
   const fs::path folder = linkedFolder(given, objects);
-  const std::string messages = linkInto(folder, given, objects, false);
+  const std::string messages = linkInto(folder, given, objects, Linking::kStrict);
+  if (messages.empty()) return {folder / "worker", {}};
+  return {{}, linkFailure(build.folder, messages)};
+}
+
+LinkedWorker linkForRecording(const CourseworkBuild& build) {
+  if (!build.complete()) return {{}, build.failure()};
+  std::vector<std::string> framework = frameworkObjects();
+  for (std::string& object : readLines(kBuildFolder / "recorder_objects.txt"))
+    framework.push_back(std::move(object));
+  std::vector<fs::path> objects;
+  for (const PartBuild& part : build.parts) objects.push_back(part.object);
+  const fs::path folder = linkedFolder(framework, objects, stamp(kRecordedSymbols));
+  const std::string messages = linkInto(folder, framework, objects, Linking::kRecording);
   if (messages.empty()) return {folder / "worker", {}};
   return {{}, linkFailure(build.folder, messages)};
 }

@@ -148,8 +148,9 @@ void WorkerProcess::loadScene(const FlatScene& scene) {
     fail(WorkerFault::kNonsense, "The worker did not understand the scene.");
 }
 
-RenderResult WorkerProcess::render(const RenderJob& job, SharedFilm& film,
-                                   const std::function<bool(const RenderProgress&)>& onProgress) {
+std::vector<std::byte> WorkerProcess::renderInto(
+    MessageKind kind, const RenderJob& job, SharedFilm& film, std::uint64_t smallest,
+    std::uint64_t largest, const std::function<bool(const RenderProgress&)>& onProgress) {
   ProgressBoard& board = film.board();
   board.cancel = 0;
   for (ThreadSlot& slot : board.threads) {
@@ -174,11 +175,25 @@ RenderResult WorkerProcess::render(const RenderJob& job, SharedFilm& film,
     return silentFor(lastSign);
   };
   const RenderRequest request{job, film.bytes()};
-  const std::uint32_t sequence =
-      sendRequest(MessageKind::kRender, bytesOf(request), film.descriptor());
-  const auto body = awaitReply(MessageKind::kRender, sequence, sizeof(RenderResult),
-                               sizeof(RenderResult), watchAndTell);
-  return valueOf<RenderResult>(body);
+  const std::uint32_t sequence = sendRequest(kind, bytesOf(request), film.descriptor());
+  return awaitReply(kind, sequence, smallest, largest, watchAndTell);
+}
+
+RenderResult WorkerProcess::render(const RenderJob& job, SharedFilm& film,
+                                   const std::function<bool(const RenderProgress&)>& onProgress) {
+  return valueOf<RenderResult>(renderInto(MessageKind::kRender, job, film, sizeof(RenderResult),
+                                          sizeof(RenderResult), onProgress));
+}
+
+RecordedPaths WorkerProcess::recordPaths(
+    const RenderJob& job, SharedFilm& film,
+    const std::function<bool(const RenderProgress&)>& onProgress) {
+  const auto reply =
+      renderInto(MessageKind::kRecordPaths, job, film, 0,
+                 sizeof(RecordPathsReply) + kMostPathEvents * sizeof(PathEvent), onProgress);
+  const auto paths = readRecordedPaths(reply);
+  if (!paths) fail(WorkerFault::kNonsense, "The worker's record of the paths makes no sense.");
+  return *paths;
 }
 
 std::vector<std::uint32_t> WorkerProcess::call(CourseworkFunction function,

@@ -7,11 +7,13 @@
 //   call               calls a coursework function on given inputs
 //   estimate           means of an estimator over many rays
 //   recordPixel        what renderPixel does, ray by ray
+//   recordPaths        adds rays to a film, and says what happens on them
 //
 // Everything a worker can do wrong (crash, fall silent, print without end, end by itself, answer
 // nonsense) ends it and is thrown as a WorkerError whose text is a sentence for a student.
 #pragma once
 
+#include "host/recorded_paths.h"
 #include "host/shared_memory.h"
 #include "render/render_job.h"
 #include "scene/flat_scene.h"
@@ -101,6 +103,10 @@ class WorkerProcess {
   RenderResult render(const RenderJob& job, SharedFilm& film,
                       const std::function<bool(const RenderProgress&)>& onProgress);
 
+  // As render, of a job for one thread. Needs a worker of linkForRecording.
+  RecordedPaths recordPaths(const RenderJob& job, SharedFilm& film,
+                            const std::function<bool(const RenderProgress&)>& onProgress);
+
   // Words as described in contract.h; `inputs` holds any number of calls.
   std::vector<std::uint32_t> call(CourseworkFunction function,
                                   std::span<const std::uint32_t> object,
@@ -128,6 +134,9 @@ class WorkerProcess {
   std::vector<std::byte> awaitReply(MessageKind kind, std::uint32_t sequence,
                                     std::uint64_t smallest, std::uint64_t largest,
                                     const std::function<std::optional<int>()>& stalledThread);
+  std::vector<std::byte> renderInto(MessageKind kind, const RenderJob& job, SharedFilm& film,
+                                    std::uint64_t smallest, std::uint64_t largest,
+                                    const std::function<bool(const RenderProgress&)>& onProgress);
   std::optional<int> silentFor(Clock::time_point since) const;
   void stopIfAsked();
   bool pump(int timeoutMilliseconds, short socketEvents);

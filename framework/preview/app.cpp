@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <string_view>
+#include <utility>
 
 namespace pathmark::preview {
 
@@ -80,6 +80,13 @@ int App::run() {
   return interrupted() ? kInterrupted : exitCode_;
 }
 
+Remembered App::remembered() const {
+  return {.width = window_.width(),
+          .height = window_.height(),
+          .scene = std::filesystem::absolute(request_.scene).lexically_normal().string(),
+          .part = part_};
+}
+
 void App::showFrame(Pixels* seen) {
   window_.drawFrame([this](const auto& pressed) { draw(pressed); }, seen);
 }
@@ -93,6 +100,10 @@ void App::takeNews() {
     apply();
   }
   panels_->takeNews(*state_);
+  if (options_.pick && state_->picture) {
+    const auto [column, row] = *std::exchange(options_.pick, std::nullopt);
+    panels_->pick(column, row);
+  }
   if (request_.moving && ImGui::GetTime() - cameraMovedAt_ > kSettleSeconds) {
     request_.moving = false;
     apply();
@@ -188,9 +199,9 @@ void App::savePicture(const std::filesystem::path& file) {
       .sceneHash = picture.fileCamera ? picture.scene->hash : std::string(),
       .coursework = picture.coursework,
       .raysPerPixel = picture.raysPerPixel,
-      .raysPerPass = raysPerPass(static_cast<std::uint64_t>(picture.raysPerPixel)),
+      .raysPerPass = picture.raysPerPass,
       .replicates = std::max(1u, picture.replicates),
-      .seed = request_.seed,
+      .seed = picture.seed,
       .sampler = std::string(kSamplerNames[static_cast<std::size_t>(picture.sampler)]),
       .seconds = picture.seconds};
   try {

@@ -6,6 +6,7 @@
 #include "preview/engine.h"
 #include "preview/frame.h"
 #include "preview/picture_area.h"
+#include "preview/remembered.h"
 #include "preview/window.h"
 
 #include <filesystem>
@@ -14,6 +15,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+struct ImVec4;
 
 namespace pathmark::preview {
 
@@ -25,6 +28,9 @@ class App {
   // Until the window is closed, or the script is done. Returns an exit code.
   int run();
 
+  // For the next time.
+  Remembered remembered() const;
+
  private:
   class Panels;
 
@@ -32,6 +38,9 @@ class App {
   void draw(const std::vector<KeyPress>& pressed);
   void drawMenu();
   void drawBanners();
+  void drawBanner(const char* title, const std::string& text, const char* remedy,
+                  const ImVec4& colour);
+  std::string unwrittenSentence() const;
   void drawPicture(float width);
   void drawPanels();
   void drawStatus();
@@ -64,6 +73,7 @@ class App {
   std::uint64_t poseOf_ = 0;     // EngineState::sceneNumber
   double cameraMovedAt_ = -1e9;  // seconds, of ImGui's clock
   int part_ = 5;
+  Tab tab_ = Tab::kProgress;    // that is seen
   std::optional<Tab> openTab_;  // to be opened in this frame
   double stops_ = 0.0;
   bool help_ = false;

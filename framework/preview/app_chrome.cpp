@@ -17,6 +17,7 @@ namespace pathmark::preview {
 namespace {
 
 constexpr float kPanelWidth = 440.0f;
+const ImVec4 kNeutral{0.16f, 0.18f, 0.24f, 1.0f};
 const ImVec4 kAlarm{0.55f, 0.20f, 0.10f, 1.0f};
 
 constexpr const char* kShortcuts[][2] = {
@@ -168,7 +169,7 @@ void App::drawPicture(float width) {
       panels_->pick(column, row);
       openTab_ = Tab::kPaths;
     };
-    actions.drawOver = [&](const Placement& at) { panels_->drawOver(frame, at); };
+    actions.drawOver = [&](const Placement& at) { panels_->drawOver(tab_, frame, at); };
     if (area_.draw(panels_->shown(frame), window_.scale(), actions)) {
       request_.camera = pose_->camera();
       request_.moving = true;
@@ -184,36 +185,60 @@ void App::drawPicture(float width) {
 }
 
 void App::drawBanners() {
-  const struct {
-    const char* title;
-    const std::string& text;
-    const char* remedy;
-  } banners[] = {
-      {"The scene cannot be used", state_->sceneFailure,
-       "The picture is the last one that could be made. Save the scene again to go on."},
-      {"Does not compile", state_->buildFailure,
-       "The picture is that of the last version that did. Save the file again to go on."},
-      {"Stopped", state_->workerFailure,
-       "The picture is the last one that could be made. Save the file again, or press R."},
-  };
-  for (const auto& banner : banners) {
-    if (banner.text.empty()) continue;
-    constexpr int kLines = 12;
-    const std::string text = firstLines(banner.text, kLines);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, kAlarm);
-    const float width = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().WindowPadding.x;
-    const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y +
-                         2.0f * ImGui::GetTextLineHeightWithSpacing() +
-                         2.0f * ImGui::GetStyle().WindowPadding.y;
-    ImGui::BeginChild(banner.title, {0.0f, height}, true);
-    ImGui::TextUnformatted(banner.title);
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::TextUnformatted(banner.remedy);
-    ImGui::PopTextWrapPos();
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
+  const bool any = state_->picture != nullptr;
+  drawBanner("The scene cannot be used", state_->sceneFailure,
+             any ? "The picture is the last one that could be made. Save the scene again to go on."
+                 : "Save the scene again to go on.",
+             kAlarm);
+  drawBanner("Does not compile", state_->buildFailure,
+             any ? "The picture is that of the last version that did. Save the file again to go on."
+                 : "Save the file again to go on.",
+             kAlarm);
+  drawBanner(
+      "Stopped", state_->workerFailure,
+      any ? "The picture is the last one that could be made. Save the file again, or press R."
+          : "Save the file again, or press R.",
+      kAlarm);
+  drawBanner("Not written yet", unwrittenSentence(), "", kNeutral);
+}
+
+// A picture that is black because of what is missing should not look like a mistake.
+std::string App::unwrittenSentence() const {
+  const bool warmUp = request_.estimator == Estimator::kWarmUp;
+  const FunctionContract* first = nullptr;
+  int count = 0;
+  for (const FunctionContract& f : state_->coursework->stubs.unwritten) {
+    if ((f.part == 0) != warmUp) continue;
+    if (first == nullptr) first = &f;
+    ++count;
   }
+  if (first == nullptr) return {};
+  return fmt::format("{} {} that the picture needs, the first of them {} {}.", count,
+                     count == 1 ? "function" : "functions", first->section, first->name);
+}
+
+void App::drawBanner(const char* title, const std::string& text, const char* remedy,
+                     const ImVec4& colour) {
+  if (text.empty()) return;
+  constexpr int kLines = 12;
+  const std::string words = firstLines(text, kLines);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = ImGui::GetContentRegionAvail().x - 2.0f * style.WindowPadding.x;
+  const auto heightOf = [&](const char* t) {
+    return *t == '\0' ? 0.0f
+                      : ImGui::CalcTextSize(t, nullptr, false, width).y + style.ItemSpacing.y;
+  };
+  const float height =
+      heightOf(title) + heightOf(words.c_str()) + heightOf(remedy) + 2.0f * style.WindowPadding.y;
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, colour);
+  ImGui::BeginChild(title, {0.0f, height}, true);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(title);
+  ImGui::TextUnformatted(words.c_str());
+  if (*remedy != '\0') ImGui::TextUnformatted(remedy);
+  ImGui::PopTextWrapPos();
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
 }
 
 void App::drawPanels() {
@@ -226,6 +251,7 @@ void App::drawPanels() {
       const bool open = openTab_ == tab;
       if (!ImGui::BeginTabItem(kTitles[k], nullptr, open ? ImGuiTabItemFlags_SetSelected : 0))
         continue;
+      tab_ = tab;
       ImGui::BeginChild("panel");
       if (tab == Tab::kView)
         drawView();

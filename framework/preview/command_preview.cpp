@@ -5,12 +5,14 @@
 #include "host/output_file.h"
 #include "host/session.h"
 #include "preview/app.h"
+#include "preview/remembered.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <thread>
@@ -22,7 +24,7 @@ namespace {
 struct PreviewArguments {
   std::string scene;
   std::string sampler = "sobol";
-  std::string size = "1280x800";
+  std::string size;
   std::string tab = "progress";
   std::string pick;
   std::string screenshot, picture;
@@ -54,14 +56,28 @@ preview::Tab findTab(const std::string& name) {
       fmt::format("--tab {}: it is one of {}.", name, fmt::join(preview::kTabNames, ", ")));
 }
 
-int openPreview(PreviewArguments& arguments) {
+std::pair<int, int> windowSize(const std::string& text, const preview::Remembered& last) {
+  constexpr int kWidth = 1280, kHeight = 800;
+  if (text.empty()) return {last.width.value_or(kWidth), last.height.value_or(kHeight)};
+  const auto [width, height] = twoNumbers("--size", text, 'x', "1280x800");
+  return {std::clamp(width, 320, 16384), std::clamp(height, 240, 16384)};
+}
+
+std::filesystem::path sceneFile(const std::string& scene, const preview::Remembered& last) {
+  if (!scene.empty()) return findScene(scene);
+  if (last.scene && std::filesystem::is_regular_file(*last.scene)) return *last.scene;
+  return findScene("cornell_box");
+}
+
+void readArguments(PreviewArguments& arguments, const preview::Remembered& last) {
   preview::AppOptions& app = arguments.app;
-  app.request.scene = findScene(arguments.scene.empty() ? "cornell_box" : arguments.scene);
+  app.request.scene = sceneFile(arguments.scene, last);
   findCoursework(app.request.with);
   app.request.sampler = findSampler(arguments.sampler);
   app.request.threads = arguments.threads != 0 ? arguments.threads
                                                : std::max(1u, std::thread::hardware_concurrency());
   if (arguments.rays > 0) app.request.mostRays = static_cast<double>(arguments.rays);
+  if (app.part < 0 && last.part) app.part = *last.part;
   app.tab = findTab(arguments.tab);
   if (!arguments.pick.empty()) app.pick = twoNumbers("--pick", arguments.pick, ',', "128,90");
   app.screenshot = arguments.screenshot;
@@ -69,17 +85,24 @@ int openPreview(PreviewArguments& arguments) {
   if (app.scripted() && arguments.rays == 0)
     throw UsageError(
         "--screenshot and --picture need --after-rays N, the rays per pixel to wait for.");
-  for (const auto& file : {app.screenshot, app.picture})
-    if (!file.empty()) requirePlaceForFile("--screenshot", file);
-  const auto [width, height] = twoNumbers("--size", arguments.size, 'x', "1280x800");
+  if (!app.screenshot.empty()) requirePlaceForFile("--screenshot", app.screenshot);
+  if (!app.picture.empty()) requirePlaceForFile("--picture", app.picture);
+}
 
-  preview::WindowOptions window;
-  window.width = std::clamp(width, 320, 16384);
-  window.height = std::clamp(height, 240, 16384);
-  window.title = "Pathmark";
-  window.scale = arguments.scale;
-  preview::Window opened(window);
-  return preview::App(opened, app).run();
+// A script shows the same whatever somebody has looked at before, and leaves no trace.
+int openPreview(PreviewArguments& arguments) {
+  const bool scripted = !arguments.screenshot.empty() || !arguments.picture.empty();
+  const std::filesystem::path memory =
+      scripted ? std::filesystem::path() : preview::rememberedFile();
+  const preview::Remembered last = preview::readRemembered(memory);
+  readArguments(arguments, last);
+  const auto [width, height] = windowSize(arguments.size, last);
+  preview::Window window(
+      {.width = width, .height = height, .title = "Pathmark", .scale = arguments.scale});
+  preview::App app(window, arguments.app);
+  const int code = app.run();
+  preview::writeRemembered(memory, app.remembered());
+  return code;
 }
 
 }  // namespace
@@ -90,8 +113,8 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       "preview", "Open a window that shows the picture, and renders it anew after each save");
   command
       ->add_option("SCENE", arguments->scene,
-                   "A scene's name in scenes/ or student/scenes/, or a .json file (default: "
-                   "cornell_box)")
+                   "A scene's name in scenes/ or student/scenes/, or a .json file (default: the "
+                   "last one, or cornell_box)")
       ->type_name("");
   command
       ->add_option("--with", arguments->app.request.with,
@@ -111,7 +134,9 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
                                    "Stop coursework that gives no answer for this many seconds "
                                    "(default: 10)"),
                0.1, 86400.0);
-  command->add_option("--size", arguments->size, "Of the window (default: 1280x800)")
+  command
+      ->add_option("--size", arguments->size,
+                   "Of the window (default: as it was last time, or 1280x800)")
       ->type_name("WxH");
   command
       ->add_option("--scale", arguments->scale,

@@ -1,22 +1,14 @@
 // Text of panels that breaks at the panel's edge.
 #pragma once
 
-#include <imgui.h>
-
 #include <string_view>
 
 namespace pathmark::preview {
 
-inline void drawWrapped(std::string_view text) {
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-}
+// Breaks at spaces: Dear ImGui by itself would also break numbers and file names at their point.
+void drawWrapped(std::string_view text);
 
-inline void drawDim(std::string_view text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  drawWrapped(text);
-  ImGui::PopStyleColor();
-}
+// The same, for what is said by the way.
+void drawDim(std::string_view text);
 
 }  // namespace pathmark::preview

@@ -1,7 +1,5 @@
 #include "preview/panels.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace pathmark::preview {
@@ -26,31 +24,43 @@ void App::Panels::draw(Tab tab, const Frame& frame) {
       samples_.draw(frame);
       break;
     case Tab::kPaths:
+      paths_.draw(frame);
+      break;
     case Tab::kCompare:
+      compare_.draw(frame);
+      break;
     case Tab::kView:
       break;
   }
 }
 
-void App::Panels::drawDisplay() {}
-void App::Panels::drawOver(const Frame&, const Placement&) {}
-void App::Panels::pick(int, int) {}
+void App::Panels::drawDisplay() { compare_.drawDisplay(); }
 
-bool App::Panels::busy(Tab tab, const Frame& frame) const {
-  return (tab == Tab::kProgress && ProgressPanel::busy(frame)) ||
-         (tab == Tab::kSamples && samples_.busy(frame));
+// Paths are seen while their panel is.
+void App::Panels::drawOver(Tab tab, const Frame& frame, const Placement& placement) {
+  compare_.drawOver(frame, placement);
+  if (tab == Tab::kPaths) paths_.drawOver(frame, placement);
 }
 
 ShownPixels App::Panels::shown(const Frame& frame) {
-  const Image& image = frame.picture->image;
-  rgba_.clear();
-  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
-    for (std::size_t c = 0; c < 3; ++c)
-      rgba_.push_back(static_cast<std::uint8_t>(
-          255.0 * std::pow(std::clamp(image.rgb[i + c] * frame.exposure, 0.0, 1.0), 1 / 2.2)));
-    rgba_.push_back(255);
+  const Shown& shown = compare_.shown(frame);
+  return {shown.width, shown.height, shown.rgba, shown.version};
+}
+
+bool App::Panels::busy(Tab tab, const Frame& frame) const {
+  switch (tab) {
+    case Tab::kProgress:
+      return ProgressPanel::busy(frame);
+    case Tab::kSamples:
+      return samples_.busy(frame);
+    case Tab::kPaths:
+      return paths_.busy();
+    case Tab::kCompare:
+      return compare_.busy(frame);
+    case Tab::kView:
+      break;
   }
-  return {image.width, image.height, rgba_, ++version_};
+  return false;
 }
 
 }  // namespace pathmark::preview

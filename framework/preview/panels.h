@@ -3,11 +3,13 @@
 
 #include "preview/app.h"
 #include "preview/check_feed.h"
+#include "preview/compare_panel.h"
+#include "preview/path_panel.h"
 #include "preview/progress_panel.h"
 #include "preview/sample_panel.h"
 
 #include <functional>
-#include <vector>
+#include <memory>
 
 namespace pathmark::preview {
 
@@ -23,8 +25,8 @@ class App::Panels {
 
   void draw(Tab tab, const Frame& frame);
   void drawDisplay();
-  void drawOver(const Frame& frame, const Placement& placement);
-  void pick(int column, int row);
+  void drawOver(Tab tab, const Frame& frame, const Placement& placement);
+  void pick(int column, int row) { paths_.pick(column, row); }
   ShownPixels shown(const Frame& frame);
 
   // Whether a panel will show more than it does now without anything being done.
@@ -34,8 +36,8 @@ class App::Panels {
   CheckFeed feed_;
   ProgressPanel progress_;
   SamplePanel samples_;
-  std::vector<std::uint8_t> rgba_;
-  std::uint64_t version_ = 0;
+  PathPanel paths_;
+  ComparePanel compare_;
 };
 
 }  // namespace pathmark::preview

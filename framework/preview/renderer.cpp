@@ -271,6 +271,8 @@ void Engine::Renderer::publish(Series::Made made) {
   picture->fileCamera = !request.camera;
   picture->estimator = request.estimator;
   picture->sampler = request.sampler;
+  picture->seed = request.seed;
+  picture->raysPerPass = settings().raysPerPass();
   picture->coursework = courseworkName(request.with);
   picture->image = std::move(made.image);
   picture->replicates = made.replicates;

@@ -39,8 +39,8 @@ bool canShow(Colouring colouring, const SampleSet& set) {
   }
 }
 
-ColourScale colourScale(Colouring colouring, const SampleSet& set) {
-  ColourScale scale;
+SampleColours sampleColours(Colouring colouring, const SampleSet& set) {
+  SampleColours scale;
   const bool number = colouring == Colouring::kFirstNumber ||
                       colouring == Colouring::kSecondNumber || colouring == Colouring::kThirdNumber;
   if (colouring == Colouring::kOrder)

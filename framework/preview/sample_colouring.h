@@ -17,10 +17,10 @@ inline constexpr std::array<std::string_view, 5> kColouringNames{"order", "numbe
 // Whether the samples have it.
 bool canShow(Colouring colouring, const SampleSet& set);
 
-struct ColourScale {
+struct SampleColours {
   double low = 0.0, high = 1.0;
   std::vector<float> places;  // of each sample between these, in [0,1]
 };
-ColourScale colourScale(Colouring colouring, const SampleSet& set);
+SampleColours sampleColours(Colouring colouring, const SampleSet& set);
 
 }  // namespace pathmark::preview

@@ -101,7 +101,7 @@ float dotSize(std::size_t samples, float scale) {
 
 // From the back to the front.
 std::vector<View::Spot> drawSamples(ImDrawList& list, const View& view, const SampleSet& set,
-                                    const ColourScale& colours, std::size_t shown) {
+                                    const SampleColours& colours, std::size_t shown) {
   std::vector<View::Spot> spots;
   for (std::size_t i = 0; i < shown; ++i) {
     const bool somewhere = set.samples[i].kind != SampleKind::kNoNumber;
@@ -151,7 +151,7 @@ void tell(const SampleSet& set, std::size_t i) {
 
 // The points that went in, in the corner, in the same colours.
 void drawInputs(ImDrawList& list, const View& view, const SampleSet& set,
-                const ColourScale& colours, std::size_t shown, std::size_t chosen) {
+                const SampleColours& colours, std::size_t shown, std::size_t chosen) {
   if (!canShow(Colouring::kFirstNumber, set)) return;
   const float side = view.inset(), gap = 6.0f * view.scale;
   const ImVec2 low{view.corner.x + view.size.x - side - gap, view.corner.y + side + gap};
@@ -194,7 +194,7 @@ void SampleScene::draw(const SampleSet& set, const Look& look) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + look.size.x, corner.y + look.size.y};
   const View view{corner, look.size, *orbit_, look.scale};
-  const ColourScale colours = colourScale(look.colouring, set);
+  const SampleColours colours = sampleColours(look.colouring, set);
   list.PushClipRect(corner, end, true);
   list.AddRectFilled(corner, end, kPaper);
   drawSketch(list, view, set.sketch);

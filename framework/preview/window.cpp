@@ -21,6 +21,9 @@ namespace {
 constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float kFontSize = 15.0f;
 
+// Latin letters, and the quotation marks and dashes that compilers and handouts use.
+constexpr ImWchar kGlyphs[] = {0x20, 0xff, 0x2010, 0x2027, 0};
+
 std::string& lastError() {
   static std::string text;
   return text;
@@ -64,7 +67,7 @@ void styleFor(float scale) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   if (std::filesystem::exists(kFont)) {
-    io.Fonts->AddFontFromFileTTF(kFont, kFontSize * scale);
+    io.Fonts->AddFontFromFileTTF(kFont, kFontSize * scale, nullptr, kGlyphs);
   } else {
     ImFontConfig config;
     config.SizePixels = 13.0f * scale;

@@ -8,6 +8,7 @@
 #include "worker/estimate.h"
 #include "worker/pixel_recorder.h"
 #include "worker/protocol.h"
+#include "worker/record_paths.h"
 
 #include <pathmark/unimplemented.h>
 
@@ -15,6 +16,9 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 // The records of PATHMARK_UNIMPLEMENTED; the linker defines both names if there are any.
 extern "C" {
@@ -33,6 +37,15 @@ struct WorkerState {
   std::unique_ptr<SceneCore> scene;          // for renders
   std::unique_ptr<SceneCore> sceneAnywhere;  // for calls with points of the host's choice
 };
+
+template <class Head, class T>
+void sendReplyWithArray(const Message& request, const Head& head, const std::vector<T>& array) {
+  std::vector<std::byte> bytes(sizeof head + array.size() * sizeof(T));
+  std::memcpy(bytes.data(), &head, sizeof head);
+  if (!array.empty())
+    std::memcpy(bytes.data() + sizeof head, array.data(), array.size() * sizeof(T));
+  sendReply(request, bytes);
+}
 
 void answerStubs(const Message& request) {
   const StubRecord* begin = &__start_pathmark_stubs;
@@ -56,22 +69,53 @@ void answerLoadScene(const Message& request, WorkerState& state) {
   sendReply(request, asBytes(reply));
 }
 
+// The memory of a request for a render.
+class RenderMemory {
+ public:
+  // Nothing if it does not fit the scene.
+  static std::optional<RenderMemory> map(const Message& request, const RenderRequest& body,
+                                         const SceneCore& scene) {
+    const SimpleCamera camera = cameraOf(scene, body.job);
+    const std::size_t pixels =
+        static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
+    auto block = SharedBlock::map(request.descriptor, body.bytes, true);
+    if (!block || block->bytes().size() < kFilmOffset + pixels * sizeof(FilmPixel))
+      return std::nullopt;
+    return RenderMemory(std::move(*block), pixels);
+  }
+
+  ProgressBoard& board() const { return *reinterpret_cast<ProgressBoard*>(block_.data()); }
+  std::span<FilmPixel> film() const {
+    return {reinterpret_cast<FilmPixel*>(block_.data() + kFilmOffset), pixels_};
+  }
+
+ private:
+  RenderMemory(SharedBlock block, std::size_t pixels) : block_(std::move(block)), pixels_(pixels) {}
+
+  SharedBlock block_;
+  std::size_t pixels_;
+};
+
 // A request that does not fit the scene gets an empty answer, which the host knows for what it is.
 void answerRender(const Message& request, const WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
   if (!body || !state.scene || body->job.threads > kMaxThreads) return sendReply(request, {});
-  const SimpleCamera camera = cameraOf(*state.scene, body->job);
-  const std::size_t pixels =
-      static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
-  const auto block = SharedBlock::map(request.descriptor, body->bytes, true);
-  if (!block || block->bytes().size() < kFilmOffset + pixels * sizeof(FilmPixel))
-    return sendReply(request, {});
-  std::byte* memory = block->data();
-  auto& board = *reinterpret_cast<ProgressBoard*>(memory);
-  auto* film = reinterpret_cast<FilmPixel*>(memory + kFilmOffset);
-  const RenderResult result =
-      renderTiles(*state.scene, body->job, {film, pixels}, board, prepareThreadForCrashes);
+  const auto memory = RenderMemory::map(request, *body, *state.scene);
+  if (!memory) return sendReply(request, {});
+  const RenderResult result = renderTiles(*state.scene, body->job, memory->film(), memory->board(),
+                                          prepareThreadForCrashes);
   sendReply(request, asBytes(result));
+}
+
+void answerRecordPaths(const Message& request, const WorkerState& state) {
+  const auto* body = request.as<RenderRequest>();
+  if (!recordPaths || !body || !state.scene || body->job.threads != 1)
+    return sendReply(request, {});
+  const auto memory = RenderMemory::map(request, *body, *state.scene);
+  if (!memory) return sendReply(request, {});
+  const RecordedRender render = recordPaths(*state.scene, body->job, memory->film(),
+                                            memory->board(), prepareThreadForCrashes);
+  sendReplyWithArray(request, RecordPathsReply{render.result, render.paths}, render.events);
 }
 
 const SceneCore* sceneForCalls(WorkerState& state) {
@@ -124,11 +168,7 @@ void answerRecordPixel(const Message& request, WorkerState& state) {
                           .renderPixel(body->i, body->j, camera, body->rays, recorder);
   RecordPixelReply reply = recorder.counts();
   for (int c = 0; c < 3; ++c) reply.mean[c] = mean[c];
-  std::vector<std::byte> bytes(sizeof reply + recorder.rays().size() * sizeof(RecordedRay));
-  std::memcpy(bytes.data(), &reply, sizeof reply);
-  if (!recorder.rays().empty())
-    std::memcpy(bytes.data() + sizeof reply, recorder.rays().data(), bytes.size() - sizeof reply);
-  sendReply(request, bytes);
+  sendReplyWithArray(request, reply, recorder.rays());
 }
 
 void serve() {
@@ -152,6 +192,9 @@ void serve() {
         break;
       case MessageKind::kRecordPixel:
         answerRecordPixel(*request, state);
+        break;
+      case MessageKind::kRecordPaths:
+        answerRecordPaths(*request, state);
         break;
       default:
         return;

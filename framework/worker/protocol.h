@@ -11,6 +11,8 @@
 //   kCall        CallRequest, object words, input words -> output words
 //   kEstimate    EstimateRequest, input words -> Estimate[calls x replicates]
 //   kRecordPixel RecordPixelRequest -> RecordPixelReply, RecordedRay[]
+//   kRecordPaths RenderRequest for one thread + descriptor of a film -> RecordPathsReply,
+//                PathEvent[]; nothing from a worker that does not record
 #pragma once
 
 #include "render/progress_board.h"
@@ -36,6 +38,7 @@ enum class MessageKind : std::uint32_t {
   kCall = 5,
   kEstimate = 6,
   kRecordPixel = 7,
+  kRecordPaths = 9,
 };
 
 struct MessageHeader {
@@ -117,6 +120,11 @@ struct RecordedRay {
   std::int32_t startRay = -1;       // argument of the startRay before it
   std::uint32_t startedBefore = 0;  // calls of startRay before it
   std::uint32_t numbers = 0;        // taken since the last startRay
+};
+
+struct RecordPathsReply {
+  RenderResult result;
+  std::uint64_t paths = 0;  // that have begun; those for which there is no room are only counted
 };
 
 // Rays that are recorded beyond those that were asked for.

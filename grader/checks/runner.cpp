@@ -12,6 +12,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <thread>
 
@@ -211,11 +212,16 @@ void checkOwnScenes(CourseworkResults& results, Whole& whole, const CourseworkBu
   results.scenes = checkScenes(build.folder, worker, options.seed);
 }
 
-// Places of the parts in the order in which they are begun: those whose checks take longest come
-// first, so that no processor is left with one of them at the end.
-std::vector<std::size_t> longestFirst(const std::vector<int>& parts) {
+// Places of the parts in the order in which they are begun: with several threads those whose checks
+// take longest come first, so that no processor is left with one of them at the end.
+std::vector<std::size_t> orderOf(const std::vector<int>& parts, unsigned threads) {
   constexpr std::array kOrder{5, 2, 0, 4, 3, 1, 6};
   std::vector<std::size_t> places;
+  if (threads == 1) {
+    places.resize(parts.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    return places;
+  }
   for (const int part : kOrder)
     for (std::size_t k = 0; k < parts.size(); ++k)
       if (parts[k] == part) places.push_back(k);
@@ -227,7 +233,9 @@ std::vector<PartResult> checkParts(const CourseworkBuild& build, const Selection
                                    const RunOptions& options, stats::ErrorBudget& budget,
                                    RunProgress& progress) {
   std::vector<std::optional<PartResult>> checked(selection.parts.size());
-  const std::vector<std::size_t> order = longestFirst(selection.parts);
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads = options.threads != 0 ? options.threads : processors;
+  const std::vector<std::size_t> order = orderOf(selection.parts, threads);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = 0; (i = next++) < order.size();) {
@@ -237,8 +245,6 @@ std::vector<PartResult> checkParts(const CourseworkBuild& build, const Selection
       if (checked[place]) progress.done(*checked[place]);
     }
   };
-  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-  const unsigned threads = options.threads != 0 ? options.threads : processors;
   std::vector<std::future<void>> others;
   for (unsigned k = 1; k < threads; ++k) others.push_back(std::async(std::launch::async, work));
   work();

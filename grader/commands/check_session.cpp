@@ -20,7 +20,10 @@ bool hasPart(const checks::CourseworkResults& results, int part) {
 }  // namespace
 
 CheckSession::CheckSession(checks::Selection selection, checks::RunOptions options)
-    : selection_(std::move(selection)), options_(std::move(options)), madeOf_(parts().size()) {}
+    : selection_(std::move(selection)),
+      options_(std::move(options)),
+      madeOf_(parts().size()),
+      lastRun_(parts().size()) {}
 
 std::vector<int> CheckSession::changedParts(const CourseworkBuild& build) const {
   std::vector<int> changed;
@@ -29,6 +32,10 @@ std::vector<int> CheckSession::changedParts(const CourseworkBuild& build) const 
     if (identity(build.parts[number]) != madeOf_[number] || !hasPart(results_, part))
       changed.push_back(part);
   }
+  std::stable_partition(changed.begin(), changed.end(), [&](int part) {
+    const auto number = static_cast<std::size_t>(part);
+    return identity(build.parts[number]) != lastRun_[number];
+  });
   return changed;
 }
 
@@ -36,6 +43,8 @@ const checks::CourseworkResults& CheckSession::run(const CourseworkBuild& build,
                                                    const checks::RunEvents& events) {
   checks::Selection changed = selection_;
   changed.parts = changedParts(build);
+  for (std::size_t part = 0; part < lastRun_.size(); ++part)
+    lastRun_[part] = identity(build.parts[part]);
   checks::RunOptions options = options_;
   options.known = &results_;
   results_ = checks::runChecks(build, changed, options, events);

@@ -13,7 +13,8 @@ class CheckSession {
   CheckSession(checks::Selection selection, checks::RunOptions options);
 
   // The parts that run() would check: those that differ from what the results are of, or that have
-  // none, because the last run was stopped.
+  // none, because the last run was stopped. What has changed since that run comes first: somebody
+  // waits for it.
   std::vector<int> changedParts(const CourseworkBuild& build) const;
 
   // Checks the parts that have changed; then all pictures, if they were selected. Throws
@@ -26,7 +27,8 @@ class CheckSession {
  private:
   checks::Selection selection_;
   checks::RunOptions options_;
-  std::vector<std::string> madeOf_;  // what each part of results_ was compiled to
+  std::vector<std::string> madeOf_;   // what each part of results_ was compiled to
+  std::vector<std::string> lastRun_;  // what each part was compiled to, stopped or not
   checks::CourseworkResults results_;
 };
 

@@ -160,6 +160,25 @@ TEST_F(PreviewCheckerOfOnePart, StopsWhileTheCourseworkGivesNoAnswer) {
             Outcome::kPass);
 }
 
+TEST_F(PreviewCheckerOfOnePart, ChecksFirstWhatWasSavedLast) {
+  std::filesystem::copy_file(kRoot / "solutions/part6_roulette.cpp",
+                             copy.file("part6_roulette.cpp"),
+                             std::filesystem::copy_options::overwrite_existing);
+  std::vector<std::string> begun;
+  const auto checkUntilOneHasBegun = [&](std::uint64_t number) {
+    std::stop_source stop;
+    checker->check(compile(copy.path()), number, stop.get_token(), [&](const Report& report) {
+      if (report->current.empty() || stop.stop_requested()) return;
+      begun.push_back(report->current.substr(0, 2));
+      stop.request_stop();
+    });
+  };
+  checkUntilOneHasBegun(1);
+  std::ofstream(copy.file("part6_roulette.cpp"), std::ios::app) << "int saved;\n";
+  checkUntilOneHasBegun(2);
+  EXPECT_EQ(begun, (std::vector<std::string>{"3.", "6."}));
+}
+
 TEST(PreviewChecker, SaysOfTheStubsThatTheyAreNotWrittenAndWhereToBegin) {
   const auto checker = makeChecker({});
   const Report report = checkAll(*checker, kRoot / "student", 1).back();
@@ -169,7 +188,7 @@ TEST(PreviewChecker, SaysOfTheStubsThatTheyAreNotWrittenAndWhereToBegin) {
   EXPECT_FALSE(checker->hints(F::kRayTriangleIntersection).empty());
 }
 
-TEST(PreviewChecker, SaysWhyNothingCouldBeChecked) {
+TEST(PreviewChecker, SaysOfAPartThatDoesNotLinkWhyItCannotBeChecked) {
   CourseworkBuild build = compile(kRoot / "student");
   for (PartBuild& part : build.parts) part.object = "/nowhere/part.o";
   const auto checker = makeChecker({});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 
 namespace pathmark::test {
 namespace {
@@ -13,6 +14,18 @@ class HostileWorker : public testing::Test {
  protected:
   // Starts a shell script as the worker and asks it for its stubs.
   WorkerFault faultOf(const std::string& script) {
+    return faultOf(script, [](WorkerProcess& worker) { worker.stubs(); });
+  }
+
+  WorkerFault faultOfPaths(const std::string& script) {
+    return faultOf(script, [](WorkerProcess& worker) {
+      SharedFilm film(2, 2);
+      worker.recordPaths(RenderJob{}, film, [](const RenderProgress&) { return true; });
+    });
+  }
+
+  WorkerFault faultOf(const std::string& script,
+                      const std::function<void(WorkerProcess&)>& question) {
     const std::filesystem::path program = folder_ / "worker.sh";
     std::ofstream(program) << "#!/bin/bash\n" << script;
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
@@ -23,7 +36,7 @@ class HostileWorker : public testing::Test {
     options.limits.outputBytes = 100000;
     try {
       WorkerProcess worker(std::move(options));
-      worker.stubs();
+      question(worker);
     } catch (const WorkerError& e) {
       EXPECT_FALSE(std::string(e.what()).empty());
       return e.fault();
@@ -90,6 +103,21 @@ TEST_F(HostileWorker, AnAnswerThatNeverEndsIsATimeLimit) {
                     header(kMagic, 2, 1, "\\x80\\x00\\x00\\x00\\x00\\x00\\x00\\x00") +
                     "while :; do printf x >&3; sleep 0.3; done\n"),
             WorkerFault::kTimeLimit);
+}
+
+// A record without a single path would begin with 48 bytes: that many are there, and one more.
+TEST_F(HostileWorker, ARecordOfPathsThatIsNoneIsNonsense) {
+  const std::string greeting = header(kMagic, 1, 0, kEight) + kHelloBody;
+  const auto record = [&](const std::string& length, int bytes) {
+    return faultOfPaths(greeting + header(kMagic, 9, 1, length.c_str()) + "head -c " +
+                        std::to_string(bytes) + " /dev/zero >&3\nexec sleep 60\n");
+  };
+  const std::string rest = "\\x00\\x00\\x00\\x00\\x00\\x00\\x00";
+  EXPECT_EQ(record("\\x00" + rest, 0), WorkerFault::kNonsense) << "it does not record";
+  EXPECT_EQ(record("\\x31" + rest, 0x31), WorkerFault::kNonsense);
+  EXPECT_EQ(record("\\x74" + rest, 0x74), WorkerFault::kNonsense) << "an event of no kind";
+  EXPECT_EQ(record("\\x00\\x00\\x00\\x00\\x01\\x00\\x00\\x00", 100), WorkerFault::kNonsense)
+      << "longer than any record";
 }
 
 TEST_F(HostileWorker, AForgedCrashRecordIsRead) {

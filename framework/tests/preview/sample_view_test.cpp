@@ -160,9 +160,9 @@ SampleSet threeSamples(F function) {
 
 TEST(Colouring, RunsFromTheFirstToTheLast) {
   const SampleSet set = threeSamples(F::kLambertianReflection);
-  EXPECT_EQ(colourScale(Colouring::kOrder, set).places, (std::vector<float>{0.0f, 0.5f, 1.0f}));
-  EXPECT_EQ(colourScale(Colouring::kClaimed, set).places, (std::vector<float>{0.0f, 0.5f, 1.0f}));
-  EXPECT_EQ(colourScale(Colouring::kFirstNumber, set).places,
+  EXPECT_EQ(sampleColours(Colouring::kOrder, set).places, (std::vector<float>{0.0f, 0.5f, 1.0f}));
+  EXPECT_EQ(sampleColours(Colouring::kClaimed, set).places, (std::vector<float>{0.0f, 0.5f, 1.0f}));
+  EXPECT_EQ(sampleColours(Colouring::kFirstNumber, set).places,
             (std::vector<float>{0.0f, 0.25f, 0.5f}));
 }
 
