@@ -6,8 +6,8 @@
 //   gridOf, intervalOf       dividing a domain into cells
 #pragma once
 
-#include "preview/direction_frame.h"
-#include "preview/sample_domain.h"
+#include "preview/samples/direction_frame.h"
+#include "preview/samples/sample_domain.h"
 
 namespace pathmark::preview {
 

@@ -3,10 +3,10 @@
 
 #include "preview/app.h"
 #include "preview/check_feed.h"
-#include "preview/compare_panel.h"
-#include "preview/path_panel.h"
-#include "preview/progress_panel.h"
-#include "preview/sample_panel.h"
+#include "preview/compare/compare_panel.h"
+#include "preview/paths/path_panel.h"
+#include "preview/progress/progress_panel.h"
+#include "preview/samples/sample_panel.h"
 
 #include <functional>
 #include <memory>

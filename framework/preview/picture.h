@@ -30,7 +30,7 @@ struct Picture {
   SamplerKind sampler = SamplerKind::kSobol;
   std::uint64_t seed = 0;          // of its first replicate
   std::uint32_t raysPerPass = 64;  // of a finished one
-  std::string coursework;  // "student", "solutions", or the folder's name
+  std::string coursework;          // "student", "solutions", or the folder's name
 
   // Linear radiance. With two replicates or more it has variances; infinite where fewer than two
   // have a ray.

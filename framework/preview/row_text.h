@@ -1,7 +1,7 @@
 // RowText: a function's line in the progress panel: mark, section, name, and what is known of it.
 #pragma once
 
-#include "preview/progress_model.h"
+#include "preview/progress/progress_model.h"
 
 #include <imgui.h>
 

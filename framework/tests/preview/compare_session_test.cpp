@@ -1,7 +1,7 @@
 // What is said about a picture and its reference.
-#include "preview/compare_session.h"
+#include "preview/compare/compare_session.h"
 
-#include "preview/known_noise.h"
+#include "preview/compare/known_noise.h"
 #include "support/test_pictures.h"
 
 #include <gtest/gtest.h>

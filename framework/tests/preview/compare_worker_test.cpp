@@ -1,5 +1,5 @@
 // The thread that compares.
-#include "preview/compare_worker.h"
+#include "preview/compare/compare_worker.h"
 
 #include "support/background_program.h"
 #include "support/test_images.h"

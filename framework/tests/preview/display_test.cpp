@@ -1,5 +1,5 @@
 // From radiance to the screen's bytes.
-#include "preview/display.h"
+#include "preview/compare/display.h"
 
 #include "film/image_formats.h"
 #include "tests/support/uniforms.h"

@@ -1,5 +1,5 @@
 // How errors fall, and what is remembered of them.
-#include "preview/error_curves.h"
+#include "preview/compare/error_curves.h"
 
 #include "support/test_pictures.h"
 

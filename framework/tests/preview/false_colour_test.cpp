@@ -1,5 +1,5 @@
 // Numbers as colours.
-#include "preview/false_colour.h"
+#include "preview/compare/false_colour.h"
 
 #include "film/signed_picture.h"
 #include "support/test_images.h"

@@ -1,5 +1,5 @@
 // Whether a picture's noise is known well enough.
-#include "preview/known_noise.h"
+#include "preview/compare/known_noise.h"
 
 #include "support/test_images.h"
 #include "support/test_pictures.h"

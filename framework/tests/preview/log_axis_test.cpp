@@ -1,5 +1,5 @@
 // Logarithmic axes and their ticks.
-#include "preview/log_axis.h"
+#include "preview/compare/log_axis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // How often a series of verdicts calls noise a difference.
 #include "preview/looks.h"
-#include "preview/compare_session.h"
+#include "preview/compare/compare_session.h"
 
 #include "support/test_pictures.h"
 

@@ -1,5 +1,5 @@
 // What the numbers of a path add up to, and what is said if they do not.
-#include "preview/path_account.h"
+#include "preview/paths/path_account.h"
 
 #include <gtest/gtest.h>
 

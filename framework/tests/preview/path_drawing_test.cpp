@@ -1,6 +1,6 @@
 // Colours and lines of paths.
-#include "preview/path_colour.h"
-#include "preview/path_geometry.h"
+#include "preview/paths/path_colour.h"
+#include "preview/paths/path_geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Paths that are recorded for the window, of coursework that does what it should and of some that
 // does not.
-#include "preview/path_engine.h"
+#include "preview/paths/path_engine.h"
 
 #include "host/session.h"
 #include "support/test_coursework_files.h"

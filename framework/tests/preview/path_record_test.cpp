@@ -1,5 +1,5 @@
 // From what a worker has recorded to paths.
-#include "preview/path_record.h"
+#include "preview/paths/path_record.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the progress panel shows.
-#include "preview/progress_model.h"
+#include "preview/progress/progress_model.h"
 
 #include <gtest/gtest.h>
 

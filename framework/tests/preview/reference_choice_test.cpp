@@ -1,5 +1,5 @@
 // Which reference there is, and what is said where there is none.
-#include "preview/reference_choice.h"
+#include "preview/compare/reference_choice.h"
 
 #include "film/image_file.h"
 #include "host/session.h"

@@ -1,10 +1,10 @@
 // What is expected of samples is one density, whichever way it is asked for: the density itself,
 // integrated numerically, the cells of chi-square, and the histograms' coordinates.
-#include "preview/sample_domain.h"
-#include "preview/cosine_lobe.h"
-#include "preview/direction_frame.h"
-#include "preview/flat_polygon.h"
+#include "preview/samples/sample_domain.h"
 #include "preview/sampler_cases.h"
+#include "preview/samples/cosine_lobe.h"
+#include "preview/samples/direction_frame.h"
+#include "preview/samples/flat_polygon.h"
 
 #include <gtest/gtest.h>
 

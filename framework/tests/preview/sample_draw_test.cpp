@@ -1,9 +1,9 @@
 // The solutions' samples have the expected density, and claim it; what is wrong is seen, and what
 // is only another sampler is told from it.
-#include "preview/sample_draw.h"
+#include "preview/samples/sample_draw.h"
 #include "host/coursework_builder.h"
-#include "preview/sample_remarks.h"
 #include "preview/sampler_cases.h"
+#include "preview/samples/sample_remarks.h"
 #include "stats/quantiles.h"
 #include "support/test_coursework_files.h"
 

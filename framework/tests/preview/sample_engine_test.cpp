@@ -1,6 +1,6 @@
 // Whatever coursework does, the sample view has samples or a sentence, and goes on with the next
 // build.
-#include "preview/sample_engine.h"
+#include "preview/samples/sample_engine.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>

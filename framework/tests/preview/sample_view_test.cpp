@@ -1,9 +1,9 @@
 // How samples are counted, coloured, turned, played and spoken of.
-#include "preview/orbit.h"
 #include "preview/playback.h"
-#include "preview/sample_colouring.h"
-#include "preview/sample_histogram.h"
-#include "preview/sample_verdict.h"
+#include "preview/samples/orbit.h"
+#include "preview/samples/sample_colouring.h"
+#include "preview/samples/sample_histogram.h"
+#include "preview/samples/sample_verdict.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The samplers of the sample view with parameters from plain to extreme.
 #pragma once
 
-#include "preview/sample_settings.h"
+#include "preview/samples/sample_settings.h"
 
 #include <string>
 #include <vector>

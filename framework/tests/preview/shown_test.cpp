@@ -1,5 +1,5 @@
 // What is seen in the picture area, and when it is made anew.
-#include "preview/shown.h"
+#include "preview/compare/shown.h"
 
 #include "support/test_pictures.h"
 

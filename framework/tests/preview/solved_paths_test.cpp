@@ -1,6 +1,6 @@
 // Paths of the solutions, and of solutions with a mistake.
 #include "host/session.h"
-#include "preview/path_recording.h"
+#include "preview/paths/path_recording.h"
 #include "support/solutions.h"
 #include "support/test_coursework_files.h"
 

@@ -1,5 +1,5 @@
 // Verdicts in words.
-#include "preview/verdict.h"
+#include "preview/compare/verdict.h"
 
 #include "support/test_images.h"
 
