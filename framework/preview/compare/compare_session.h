@@ -6,9 +6,9 @@
 
 #include "preview/compare/error_curves.h"
 #include "preview/compare/false_colour.h"
+#include "preview/compare/looks.h"
 #include "preview/compare/reference_choice.h"
 #include "preview/compare/verdict.h"
-#include "preview/looks.h"
 
 #include <memory>
 #include <optional>

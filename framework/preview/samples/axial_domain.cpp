@@ -1,6 +1,6 @@
 #include "preview/samples/axial_domain.h"
 
-#include "preview/domain_parts.h"
+#include "preview/samples/domain_parts.h"
 #include "preview/samples/sketch_parts.h"
 
 namespace pathmark::preview {

@@ -1,7 +1,7 @@
 #include "preview/samples/phong_domain.h"
 
-#include "preview/domain_parts.h"
 #include "preview/samples/cosine_lobe.h"
+#include "preview/samples/domain_parts.h"
 #include "preview/samples/sketch_parts.h"
 
 namespace pathmark::preview {

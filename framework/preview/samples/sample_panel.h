@@ -3,8 +3,8 @@
 #pragma once
 
 #include "preview/frame.h"
-#include "preview/metronome.h"
-#include "preview/playback.h"
+#include "preview/samples/metronome.h"
+#include "preview/samples/playback.h"
 #include "preview/samples/sample_engine.h"
 #include "preview/samples/sample_scene.h"
 

@@ -1,6 +1,6 @@
 #include "preview/samples/square_domain.h"
 
-#include "preview/domain_parts.h"
+#include "preview/samples/domain_parts.h"
 
 #include <pathmark/camera.h>
 

@@ -1,5 +1,5 @@
 // How often a series of verdicts calls noise a difference.
-#include "preview/looks.h"
+#include "preview/compare/looks.h"
 #include "preview/compare/compare_session.h"
 
 #include "support/test_pictures.h"

@@ -1,6 +1,6 @@
 // How samples are counted, coloured, turned, played and spoken of.
-#include "preview/playback.h"
 #include "preview/samples/orbit.h"
+#include "preview/samples/playback.h"
 #include "preview/samples/sample_colouring.h"
 #include "preview/samples/sample_histogram.h"
 #include "preview/samples/sample_verdict.h"

@@ -1,4 +1,4 @@
-#include "preview/domain_parts.h"
+#include "preview/samples/domain_parts.h"
 
 namespace pathmark::preview {
 
