@@ -2,6 +2,7 @@
 //
 // Without a window: the engine behind it, with a copy of the coursework whose last file is saved
 // again and again with other contents.
+#include "bench/alternate.h"
 #include "bench/bench_commands.h"
 #include "bench/interrupted_run.h"
 #include "bench/machine.h"
@@ -98,11 +99,6 @@ class PictureWait {
   std::condition_variable changed_;
 };
 
-double medianOf(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 // Seconds from a save to the first picture made with it.
 std::vector<double> waitsOf(const std::string& scene, const BenchPreviewArguments& arguments) {
   SavedCoursework coursework(findCoursework(arguments.with));
@@ -133,7 +129,7 @@ int measure(const BenchPreviewArguments& arguments) {
       const auto [least, most] = std::minmax_element(seconds.begin(), seconds.end());
       report.figures.push_back({.key = "save_to_pixels_" + scene,
                                 .name = fmt::format("{}: save to new pixels", scene),
-                                .value = medianOf(seconds),
+                                .value = median(seconds),
                                 .unit = "s",
                                 .target = Target{1.5, 0.7, false},
                                 .note = fmt::format("median of {}, from {:.2f} to {:.2f}",

@@ -37,6 +37,11 @@ class App {
   void showFrame(Pixels* seen = nullptr);
   void draw(const std::vector<KeyPress>& pressed);
   void drawMenu();
+  void drawSceneMenu();
+  void drawCourseworkMenu();
+  void drawPartMenu();
+  void drawSamplerMenu();
+  void drawPictureMenu();
   void drawBanners();
   void drawBanner(const char* title, const std::string& text, const char* remedy,
                   const ImVec4& colour);

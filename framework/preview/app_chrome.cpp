@@ -1,8 +1,6 @@
 // What the app draws around its panels.
 #include "preview/app.h"
 
-#include "host/display_path.h"
-#include "host/session.h"
 #include "preview/panels.h"
 
 #include <fmt/format.h>
@@ -92,67 +90,6 @@ void App::draw(const std::vector<KeyPress>& pressed) {
   ImGui::End();
   if (help_) drawHelp();
   drawToast();
-}
-
-void App::drawMenu() {
-  if (!ImGui::BeginMenuBar()) return;
-  if (ImGui::BeginMenu("Scene")) {
-    for (const std::string& name : sceneNames())
-      if (ImGui::MenuItem(name.c_str(), nullptr, request_.scene.stem() == name)) chooseScene(name);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Coursework")) {
-    for (const char* name : {"student", "solutions"}) {
-      if (!std::filesystem::is_directory(courseworkFolder(name))) continue;
-      if (ImGui::MenuItem(name, nullptr, request_.with == name)) {
-        request_.with = name;
-        apply();
-      }
-    }
-    if (options_.request.with != "student" && options_.request.with != "solutions" &&
-        ImGui::MenuItem(options_.request.with.c_str(), nullptr,
-                        request_.with == options_.request.with)) {
-      request_.with = options_.request.with;
-      apply();
-    }
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Part")) {
-    for (const PartContract& part : parts())
-      if (ImGui::MenuItem(fmt::format("{}  {}", part.part, part.title).c_str(), nullptr,
-                          part.part == part_))
-        choosePart(part.part);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Sampler")) {
-    for (std::size_t k = 0; k < std::size(kSamplerNames); ++k) {
-      const auto kind = static_cast<SamplerKind>(k);
-      const std::string name(kSamplerNames[k]);
-      if (ImGui::MenuItem(name.c_str(), nullptr, request_.sampler == kind)) {
-        request_.sampler = kind;
-        apply();
-      }
-    }
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Picture")) {
-    if (ImGui::MenuItem(request_.paused ? "Go on" : "Pause", "Space")) togglePause();
-    if (ImGui::MenuItem("Begin anew", "R")) beginAnew();
-    if (ImGui::MenuItem("Camera of the scene file", "C", false, pose_ && pose_->moved()))
-      useFileCamera();
-    ImGui::Separator();
-    if (ImGui::MenuItem("Save the window", "F12"))
-      windowShot_ = unusedFile("pathmark_window", ".png");
-    if (ImGui::MenuItem("Save the picture", "Shift+F12") && state_->picture) saveBoth();
-    ImGui::Separator();
-    if (ImGui::MenuItem("Close", "Ctrl+Q")) window_.close();
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Help")) {
-    if (ImGui::MenuItem("Shortcuts", "?")) help_ = true;
-    ImGui::EndMenu();
-  }
-  ImGui::EndMenuBar();
 }
 
 void App::drawPicture(float width) {
