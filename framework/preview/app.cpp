@@ -24,8 +24,20 @@ namespace {
 // The camera counts as moving for so long after it was moved last.
 constexpr double kSettleSeconds = 0.2;
 
-// Frames after anything has happened: widgets answer to what the last frame has drawn.
-constexpr int kFramesAfterNews = 3;
+// Widgets answer to what the last frame has drawn: it takes more than one until all is settled.
+constexpr int kFramesAfterInput = 3;
+
+int framesAfter(Window::Event event) {
+  switch (event) {
+    case Window::Event::kWoken:
+      return 1;
+    case Window::Event::kInput:
+      return kFramesAfterInput;
+    case Window::Event::kNone:
+      break;
+  }
+  return 0;
+}
 
 constexpr double kToastSeconds = 4.0;
 constexpr double kIdleSeconds = 1.0;
@@ -65,8 +77,7 @@ int App::run() {
     // The end of a movement and of a message are news too.
     const double now = ImGui::GetTime();
     const bool waiting = request_.moving || now < toastUntil_;
-    if (framesDue_ <= 0 && window_.wait(waiting ? 0.05 : kIdleSeconds))
-      framesDue_ = kFramesAfterNews;
+    if (framesDue_ <= 0) framesDue_ = framesAfter(window_.wait(waiting ? 0.05 : kIdleSeconds));
     if (framesDue_ <= 0 && !waiting && !options_.scripted()) continue;
     --framesDue_;
     takeNews();
@@ -126,7 +137,7 @@ std::string App::title() const {
 void App::apply() {
   request_.cameraOf = poseOf_;
   engine_->request(request_);
-  framesDue_ = kFramesAfterNews;
+  framesDue_ = kFramesAfterInput;
 }
 
 Frame App::makeFrame() const {
@@ -233,7 +244,7 @@ bool App::scriptDone() {
   if (!failed && (!enough || panels_->busy(options_.tab, makeFrame()))) return false;
   if (!options_.screenshot.empty()) {
     // What has just come is in the window after this many frames.
-    for (int k = 0; k < kFramesAfterNews; ++k) showFrame();
+    for (int k = 0; k < kFramesAfterInput; ++k) showFrame();
     saveWindow(options_.screenshot);
   }
   if (!options_.picture.empty() && !failed) savePicture(options_.picture);

@@ -12,9 +12,9 @@ namespace pathmark::preview {
 
 void App::drawMenu() {
   if (!ImGui::BeginMenuBar()) return;
-  const auto menu = [this](const char* title, void (App::*draw)()) {
-    if (!ImGui::BeginMenu(title)) return;
-    (this->*draw)();
+  const auto menu = [this](const char* name, void (App::*entries)()) {
+    if (!ImGui::BeginMenu(name)) return;
+    (this->*entries)();
     ImGui::EndMenu();
   };
   menu("Scene", &App::drawSceneMenu);

@@ -137,11 +137,12 @@ void Window::setTitle(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }
 
-bool Window::wait(double seconds) {
+Window::Event Window::wait(double seconds) {
+  if (woken().exchange(false)) return Event::kWoken;
   const double started = glfwGetTime();
-  if (!woken().exchange(false)) glfwWaitEventsTimeout(seconds);
-  const bool called = woken().exchange(false);
-  return called || glfwGetTime() - started < seconds;
+  glfwWaitEventsTimeout(seconds);
+  if (woken().exchange(false)) return Event::kWoken;
+  return glfwGetTime() - started < seconds ? Event::kInput : Event::kNone;
 }
 
 void Window::wake() {

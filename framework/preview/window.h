@@ -57,9 +57,9 @@ class Window {
   int height() const;
   void setTitle(const std::string& title);
 
-  // Returns after the user has done something, wake() was called, or so many seconds are over;
-  // returns true for all but the last.
-  bool wait(double seconds);
+  // Until wake() is called, the user does something, or so many seconds are over.
+  enum class Event { kWoken, kInput, kNone };
+  Event wait(double seconds);
 
   // Any thread.
   static void wake();
