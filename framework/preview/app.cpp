@@ -24,13 +24,14 @@ namespace {
 // The camera counts as moving for so long after it was moved last.
 constexpr double kSettleSeconds = 0.2;
 
-// Widgets answer to what the last frame has drawn: it takes more than one until all is settled.
-constexpr int kFramesAfterInput = 3;
+// Widgets answer to what the last frame has drawn, and what lies over the picture is drawn before
+// the panel that it belongs to takes its news: it takes more than one frame until all is settled.
+constexpr int kFramesAfterInput = 3, kFramesAfterNews = 2;
 
 int framesAfter(Window::Event event) {
   switch (event) {
     case Window::Event::kWoken:
-      return 1;
+      return kFramesAfterNews;
     case Window::Event::kInput:
       return kFramesAfterInput;
     case Window::Event::kNone:

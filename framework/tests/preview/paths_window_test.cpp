@@ -28,7 +28,7 @@ int whitePixels(const Image& window) {
 }
 
 // The dot of a vertex and its number have more, the mark of the pixel has fewer.
-constexpr int kFewest = 50;
+constexpr int kFewest = 80;
 
 TEST(PathsInTheWindow, AreRecordedAgainAfterEachSave) {
   const VirtualDisplay display;
