@@ -58,9 +58,9 @@ ImageRender::ImageRender(WorkerProcess& worker, const RenderSettings& settings, 
 // on where one step ends and the next begins.
 bool ImageRender::step(const OnStatus& onStatus, const StepSize& size) {
   remainder_.reset();
-  const RenderJob job = nextJob(
-      settings_, state_,
-      std::min(pixelPasses_, size.mostPasses * static_cast<double>(settings_.pixels())));
+  const RenderJob job =
+      nextJob(settings_, state_,
+              std::min(pixelPasses_, size.mostPasses * static_cast<double>(settings_.pixels())));
   const auto rows = rowsOf(job.region);
   const std::span<FilmPixel> shared = film_.pixels().subspan(
       static_cast<std::size_t>(rows.data() - state_.film.data()), rows.size());
