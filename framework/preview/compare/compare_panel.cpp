@@ -88,6 +88,7 @@ void ComparePanel::drawFileField(const Frame& frame) {
   load = ImGui::Button("Load") || load;
   if (!load) return;
   wish_.file = path_.data();
+  ++wish_.loads;
   wishFor(ReferenceSource::kFile);
 }
 

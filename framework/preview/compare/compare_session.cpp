@@ -2,8 +2,6 @@
 
 #include "preview/compare/known_noise.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace pathmark::preview {
@@ -13,9 +11,9 @@ namespace {
 Verdict tooEarly(const Picture& picture) {
   return {.judgement = Judgement::kTooEarly,
           .headline = "Too early to tell.",
-          .detail = fmt::format("The noise must be known first. Differences between independent "
-                                "parts of the picture tell it; there {} {} so far.\n",
-                                picture.replicates == 1 ? "is" : "are", picture.replicates),
+          .detail =
+              "The noise must be known first: it is told by the differences between parts of "
+              "the picture that are independent of each other.\n",
           .worst = {},
           .raysPerPixel = picture.raysPerPixel};
 }
@@ -54,29 +52,33 @@ std::shared_ptr<const CompareResult> CompareSession::compare(const CompareReques
   return result;
 }
 
+CompareSession::Trial& CompareSession::trialOf(const Picture& picture, const Reference& reference) {
+  if (series_ != picture.series) trials_.clear();
+  series_ = picture.series;
+  return trials_.try_emplace(reference.id, Trial{Looks(alpha_), tooEarly(picture)}).first->second;
+}
+
 void CompareSession::compareWithReference(const std::shared_ptr<const Image>& known,
                                           CompareResult& result) {
   const Reference& reference = *result.found.reference;
   const Picture& picture = *result.picture;
-  if (trial_.series != picture.series || trial_.reference != reference.id)
-    trial_ = {picture.series, reference.id, Looks(alpha_), tooEarly(picture)};
-  const bool look = known && trial_.looks.due(picture.raysPerPixel);
-  if (look) trial_.looks.take(picture.raysPerPixel);
+  Trial& trial = trialOf(picture, reference);
+  const bool look = known && trial.looks.due(picture.raysPerPixel);
+  if (look) trial.looks.take(picture.raysPerPixel);
   // Between looks, numbers are coloured by the last one's threshold.
   CompareSettings settings;
-  settings.alpha = trial_.looks.alphaOf(std::max(trial_.looks.taken(), 1));
+  settings.alpha = trial.looks.alphaOf(std::max(trial.looks.taken(), 1));
   // Without known noise there are numbers, but no tests.
   const Replicates replicates =
       known ? Replicates{picture.replicates, reference.replicates} : Replicates{};
   result.comparison =
       compareImages(known ? *known : picture.image, *reference.image, replicates, settings);
   // What has been called a difference once stays one: that is the event whose rate is bounded.
-  if (look && trial_.verdict.judgement != Judgement::kDiffers)
-    trial_.verdict = verdictOf(*result.comparison, picture.raysPerPixel);
-  if (!known) trial_.verdict = tooEarly(picture);
+  if (look && trial.verdict.judgement != Judgement::kDiffers)
+    trial.verdict = verdictOf(*result.comparison, picture.raysPerPixel);
   result.ownReference = reference.series == picture.series;
-  result.verdict = result.ownReference ? sameSeries() : trial_.verdict;
-  result.nextLook = trial_.looks.nextAt();
+  result.verdict = result.ownReference ? sameSeries() : trial.verdict;
+  result.nextLook = trial.looks.nextAt();
 }
 
 void CompareSession::colour(const std::shared_ptr<const Image>& known, CompareResult& result) {

@@ -10,6 +10,7 @@
 #include "preview/compare/reference_choice.h"
 #include "preview/compare/verdict.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,19 +51,22 @@ class CompareSession {
   std::shared_ptr<const CompareResult> compare(const CompareRequest& request);
 
  private:
-  // The tests of one series against one reference.
+  // The tests of the series against one reference.
   struct Trial {
-    std::uint64_t series = 0, reference = 0;
-    Looks looks{kAlpha};
+    Looks looks;
     Verdict verdict;
   };
+
+  Trial& trialOf(const Picture& picture, const Reference& reference);
 
   void compareWithReference(const std::shared_ptr<const Image>& known, CompareResult& result);
   static void colour(const std::shared_ptr<const Image>& known, CompareResult& result);
 
   double alpha_;
   ReferenceFinder finder_;
-  Trial trial_;
+  std::uint64_t series_ = 0;
+  // By the reference's number. Who goes back to a reference must not begin with a new first look.
+  std::map<std::uint64_t, Trial> trials_;
   ErrorCurves curves_;
 };
 

@@ -11,10 +11,9 @@ bool marked(const Image& image, std::size_t pixel) {
   return !image.invalid.empty() && image.invalid[pixel] != 0;
 }
 
-bool enoughReplicates(const Picture& picture) {
-  if (picture.replicates >= kFewestReplicates) return true;
-  return picture.replicates >= 2 &&
-         picture.raysPerPixel >= kRaysOfFewReplicates * picture.replicates;
+bool isTooEarly(const Picture& picture) {
+  return picture.replicates < 2 || picture.image.variance.empty() ||
+         picture.raysPerPixel < kRaysOfReplicate * picture.replicates;
 }
 
 std::vector<std::size_t> pixelsWithoutVariance(const Image& image) {
@@ -31,7 +30,7 @@ std::vector<std::size_t> pixelsWithoutVariance(const Image& image) {
 
 std::shared_ptr<const Image> imageWithKnownNoise(const std::shared_ptr<const Picture>& picture) {
   const Image& image = picture->image;
-  if (!enoughReplicates(*picture) || image.variance.empty()) return nullptr;
+  if (isTooEarly(*picture)) return nullptr;
   const std::vector<std::size_t> without = pixelsWithoutVariance(image);
   if (without.empty()) return {picture, &image};
   if (picture->invalid.count() == 0 || without.size() > image.rgb.size() / 3 / 2) return nullptr;

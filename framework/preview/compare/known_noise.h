@@ -7,17 +7,16 @@
 
 namespace pathmark::preview {
 
-// Measured, of series of comparisons with noise of skewness 2 and 4: with 4 replicates and more
-// equal images are called different at most as often as declared; with 2, half as often again.
-constexpr std::uint32_t kFewestReplicates = 4;
+// How many rays each of at least two replicates must have for each pixel. With few, hardly any of
+// them meets what is seen rarely, such as a caustic, and a picture is called different from its
+// equal. Measured with the solutions, diy_caustic at 48x48 pixels and a declared rate of 0.1, the
+// rates among 50 pairs: with four replicates 0.24 of 8 rays each, 0.06 of 16 and 0.02 of 32; with
+// two of 32 rays 0.08.
+constexpr double kRaysOfReplicate = 32.0;
 
-// Two are enough when each has this many rays for each pixel: the skewness of a mean falls as one
-// over the root of its rays.
-constexpr double kRaysOfFewReplicates = 32.0;
-
-// The picture's image; null if it is too early, that is if there are fewer replicates than these,
-// or pixels have no variance yet. Where values that are no radiance have left a pixel without
-// a variance, it is marked as invalid.
+// The picture's image; null if it is too early, that is if there are fewer replicates or rays than
+// these, or pixels have no variance yet. Where values that are no radiance have left a pixel
+// without a variance, it is marked as invalid.
 std::shared_ptr<const Image> imageWithKnownNoise(const std::shared_ptr<const Picture>& picture);
 
 }  // namespace pathmark::preview

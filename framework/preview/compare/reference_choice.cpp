@@ -106,8 +106,8 @@ FoundReference ReferenceFinder::findKept(const ReferenceWish& wish, const Pictur
     return none(
         "The picture that you kept was made with another camera. Keep this one, or put "
         "the camera back (C is the scene file's).");
-  if (keptNumber_ != wish.number) {
-    keptNumber_ = wish.number;
+  if (keptFor_ != wish.kept) {
+    keptFor_ = wish.kept;
     const std::shared_ptr<const Image> image = imageWithKnownNoise(wish.kept);
     kept_ = none(
         "The picture was kept too early: its noise is not known yet. Keep it again when "
@@ -127,8 +127,8 @@ FoundReference ReferenceFinder::findKept(const ReferenceWish& wish, const Pictur
 
 FoundReference ReferenceFinder::findFile(const ReferenceWish& wish, const Picture& picture) {
   if (wish.file.empty()) return none("Type the name of an .exr, .pfm or .hdr file.");
-  if (fileNumber_ != wish.number) {
-    fileNumber_ = wish.number;
+  if (loads_ != wish.loads) {
+    loads_ = wish.loads;
     fileScene_.clear();
     try {
       if (imageEnding(wish.file) == ".png")

@@ -26,6 +26,7 @@ struct ReferenceWish {
   ReferenceSource source = ReferenceSource::kShipped;
   std::shared_ptr<const Picture> kept{};
   std::filesystem::path file{};
+  std::uint64_t loads = 0;   // how often a file was asked for: it is read anew each time
   std::uint64_t number = 0;  // different for every wish
 };
 
@@ -64,7 +65,8 @@ class ReferenceFinder {
   std::uint64_t newestId_ = 0;
   std::shared_ptr<const PreviewScene> shippedFor_;
   FoundReference shipped_;
-  std::uint64_t keptNumber_ = 0, fileNumber_ = 0;  // of the wishes that these are for; 0: none
+  std::shared_ptr<const Picture> keptFor_;
+  std::uint64_t loads_ = 0;
   FoundReference kept_, file_;
   std::string fileScene_;  // hash that the file has; may be empty
 };

@@ -21,10 +21,10 @@ double uneven(int column, int row) { return 1.0 + (column * 7 + row * 3) % 11; }
 
 class CompareSessionTest : public ::testing::Test {
  protected:
-  // Compares with a kept picture of 8 x 64 rays with the means of `uneven`.
+  // Compares with a kept picture of 8 x 64 passes with the means of `uneven`.
   CompareSessionTest() : scene_(testScene(kSide, kSide)) {
     NoisySeries reference(scene_, 1000, random_, uneven);
-    reference.addRays(64);
+    reference.addPasses(64);
     wish_ = {.source = ReferenceSource::kKept, .kept = reference.picture(), .number = 1};
   }
 
@@ -47,7 +47,7 @@ TEST_F(CompareSessionTest, TheMapOfScoresMarksATileThatIsOffAndNoOther) {
     return uneven(column, row) * (inTile && column < 32 ? 1.1 : 1.0);
   };
   NoisySeries series(scene_, 1, random_, biased);
-  series.addRays(64);
+  series.addPasses(64);
   const auto result = compare(series.picture(), View::kScores);
   ASSERT_EQ(result->colours.view, View::kScores);
   const double full = result->colours.scale.to;
@@ -68,63 +68,78 @@ TEST_F(CompareSessionTest, TheMapOfScoresMarksATileThatIsOffAndNoOther) {
       << result->verdict.detail;
 }
 
-TEST_F(CompareSessionTest, ItIsTooEarlyToTellWithFewReplicatesOrUnknownNoise) {
-  NoisySeries few(
-      scene_, 1, random_, [](int, int) { return 5.0; }, kFewestReplicates - 1);
-  few.addRays(4);
-  const auto early = compare(few.picture(), View::kScores);
+TEST_F(CompareSessionTest, ItIsTooEarlyToTellWhileTheNoiseIsUnknown) {
+  NoisySeries series(
+      scene_, 1, random_, [](int, int) { return 5.0; }, 4);
+  series.addPasses(4);
+  const auto judge = [&](const Picture& picture) {
+    return compare(std::make_shared<Picture>(picture), View::kScores);
+  };
+  Picture fewRays = *series.picture();
+  fewRays.raysPerPixel = 4.0 * kRaysOfReplicate - 1.0;
+  const auto early = judge(fewRays);
   EXPECT_EQ(early->verdict.judgement, Judgement::kTooEarly);
   EXPECT_FALSE(early->noiseKnown);
   EXPECT_EQ(early->colours.view, View::kPicture);
   EXPECT_FALSE(early->whyNoColours.empty());
   for (const RegionResult& tile : early->comparison->tiles) EXPECT_FALSE(tile.differs);
-  Picture without = *few.picture();
+  Picture without = *series.picture();
   without.image.variance.clear();
   without.replicates = 0;
-  EXPECT_EQ(compare(std::make_shared<Picture>(without))->verdict.judgement, Judgement::kTooEarly);
-  Picture half = *few.picture();
-  half.replicates = 8;
-  half.image.variance[5] = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(compare(std::make_shared<Picture>(half))->verdict.judgement, Judgement::kTooEarly);
-  // The same means with enough replicates are judged.
-  NoisySeries enough(
-      scene_, 1, random_, [](int, int) { return 5.0; }, kFewestReplicates);
-  enough.addRays(4);
-  EXPECT_EQ(compare(enough.picture())->verdict.judgement, Judgement::kDiffers);
+  EXPECT_EQ(judge(without)->verdict.judgement, Judgement::kTooEarly);
+  Picture unknownInOne = *series.picture();
+  unknownInOne.image.variance[5] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(judge(unknownInOne)->verdict.judgement, Judgement::kTooEarly);
+  EXPECT_EQ(judge(*series.picture())->verdict.judgement, Judgement::kDiffers);
 }
 
 TEST_F(CompareSessionTest, VerdictsAreMadeWhenTheRaysHaveDoubled) {
   NoisySeries series(scene_, 1, random_, uneven);
   std::vector<double> judged;
-  for (int rays = 1; rays <= 20; ++rays) {
-    series.addRays(1);
+  for (int passes = 1; passes <= 20; ++passes) {
+    series.addPasses(1);
     const auto result = compare(series.picture());
     EXPECT_EQ(result->verdict.judgement, Judgement::kSame);
     if (judged.empty() || judged.back() != result->verdict.raysPerPixel)
       judged.push_back(result->verdict.raysPerPixel);
     EXPECT_EQ(result->nextLook, 2.0 * judged.back());
   }
-  EXPECT_EQ(judged, (std::vector<double>{8, 16, 32, 64, 128}));
+  constexpr double kFirst = 8.0 * NoisySeries::kRaysOfPass;
+  EXPECT_EQ(judged, (std::vector<double>{kFirst, 2 * kFirst, 4 * kFirst, 8 * kFirst, 16 * kFirst}));
 }
 
 TEST_F(CompareSessionTest, ADifferenceThatWasFoundStaysFoundUntilTheNextSeries) {
   NoisySeries wrong(scene_, 1, random_, [](int, int) { return 9.0; });
-  wrong.addRays(1);
+  wrong.addPasses(1);
   ASSERT_EQ(compare(wrong.picture())->verdict.judgement, Judgement::kDiffers);
   NoisySeries right(scene_, 1, random_, uneven);
-  right.addRays(64);
+  right.addPasses(64);
   EXPECT_EQ(compare(right.picture())->verdict.judgement, Judgement::kDiffers);
-  EXPECT_EQ(compare(right.picture())->verdict.raysPerPixel, 8.0);
+  EXPECT_EQ(compare(right.picture())->verdict.raysPerPixel, 8.0 * NoisySeries::kRaysOfPass);
   NoisySeries next(scene_, 2, random_, uneven);
-  next.addRays(64);
+  next.addPasses(64);
   EXPECT_EQ(compare(next.picture())->verdict.judgement, Judgement::kSame);
+}
+
+TEST_F(CompareSessionTest, LooksGoOnAfterAnotherReferenceWasChosenMeanwhile) {
+  NoisySeries series(scene_, 1, random_, uneven);
+  series.addPasses(1);
+  const double first = compare(series.picture())->verdict.raysPerPixel;
+  const ReferenceWish kept = wish_;
+  wish_ = {.source = ReferenceSource::kShipped, .number = 2};
+  series.addPasses(1);
+  EXPECT_EQ(compare(series.picture())->verdict.judgement, Judgement::kNone);
+  wish_ = kept;
+  wish_.number = 3;
+  EXPECT_EQ(compare(series.picture())->nextLook, 4.0 * first);
+  EXPECT_EQ(compare(series.picture())->nextLook, 4.0 * first);
 }
 
 TEST_F(CompareSessionTest, APictureIsNotJudgedByItself) {
   NoisySeries series(scene_, 1, random_, uneven);
-  series.addRays(4);
+  series.addPasses(4);
   wish_ = {.source = ReferenceSource::kKept, .kept = series.picture(), .number = 2};
-  series.addRays(4);
+  series.addPasses(4);
   const auto result = compare(series.picture(), View::kScores);
   EXPECT_EQ(result->verdict.judgement, Judgement::kNone);
   EXPECT_EQ(result->colours.view, View::kPicture);
@@ -134,7 +149,7 @@ TEST_F(CompareSessionTest, APictureIsNotJudgedByItself) {
 
 TEST_F(CompareSessionTest, PixelsThatNeverHaveAValueAreADifferenceAndDoNotDelayTheVerdict) {
   NoisySeries series(scene_, 1, random_, uneven);
-  series.addRays(64);
+  series.addPasses(64);
   Picture picture = *series.picture();
   picture.invalid.nan = 20;
   picture.image.variance[30] = std::numeric_limits<float>::infinity();
@@ -146,7 +161,7 @@ TEST_F(CompareSessionTest, PixelsThatNeverHaveAValueAreADifferenceAndDoNotDelayT
 
 TEST_F(CompareSessionTest, ErrorsAreThoseOfTheDefinitionAndWhatNoiseExplains) {
   NoisySeries series(scene_, 1, random_, uneven);
-  series.addRays(32);
+  series.addPasses(32);
   const auto result = compare(series.picture());
   const ErrorPoint& point = result->curves.current().points.back();
   EXPECT_EQ(point.measured, result->comparison->relativeMse);
@@ -157,7 +172,7 @@ TEST_F(CompareSessionTest, ErrorsAreThoseOfTheDefinitionAndWhatNoiseExplains) {
 TEST_F(CompareSessionTest, WithoutAReferenceThereIsNoiseAndAReason) {
   wish_ = {.source = ReferenceSource::kShipped, .number = 2};
   NoisySeries series(scene_, 1, random_, uneven);
-  series.addRays(4);
+  series.addPasses(4);
   const auto noise = compare(series.picture(), View::kNoise);
   EXPECT_FALSE(noise->comparison);
   EXPECT_EQ(noise->colours.view, View::kNoise);

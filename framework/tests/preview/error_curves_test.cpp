@@ -52,8 +52,8 @@ TEST(ErrorCurves, OfNoiseHaveASlopeOfMinusOne) {
   NoisySeries series(testScene(32, 32), 1, random, [](int, int) { return kTruth; });
   const Image reference{32, 32, std::vector<float>(3072, static_cast<float>(kTruth))};
   ErrorCurves curves;
-  for (int rays = 4, before = 0; rays <= 256; before = rays, rays *= 2) {
-    series.addRays(rays - before);
+  for (int passes = 4, before = 0; passes <= 256; before = passes, passes *= 2) {
+    series.addPasses(passes - before);
     const auto made = series.picture();
     curves.add(*made, 1,
                {.raysPerPixel = made->raysPerPixel,

@@ -39,8 +39,8 @@ constexpr int kSeries = 1000;
 // Whether any verdict of a series of six looks is that they differ.
 bool everDiffers(CompareSession& session, const ReferenceWish& wish, NoisySeries& series) {
   bool differs = false;
-  for (int rays = 1, before = 0; rays <= 32; before = rays, rays *= 2) {
-    series.addRays(rays - before);
+  for (int passes = 1, before = 0; passes <= 32; before = passes, passes *= 2) {
+    series.addPasses(passes - before);
     const auto result = session.compare({series.picture(), wish, View::kPicture});
     differs = differs || result->verdict.judgement == Judgement::kDiffers;
   }
@@ -56,7 +56,7 @@ TEST_P(SeriesOfLooks, RaisesNoMoreFalseAlarmsThanDeclared) {
   const auto scene = testScene(8, 8);
   const auto mean = [](int column, int row) { return 1.0 + (column * 7 + row * 3) % 11; };
   NoisySeries reference(scene, 1000000, random, mean, 16);
-  reference.addRays(512);
+  reference.addPasses(512);
   const ReferenceWish wish{
       .source = ReferenceSource::kKept, .kept = reference.picture(), .number = 1};
   CompareSession session(kRate);
@@ -79,7 +79,7 @@ TEST(SeriesOfLooks, FindsADifference) {
   const auto scene = testScene(10, 10);
   NoisySeries reference(
       scene, 2, random, [](int, int) { return 1.0; }, 16);
-  reference.addRays(512);
+  reference.addPasses(512);
   CompareSession session(kRate);
   NoisySeries series(scene, 1, random, [](int, int) { return 1.1; });
   EXPECT_TRUE(everDiffers(

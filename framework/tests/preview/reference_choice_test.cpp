@@ -47,7 +47,10 @@ class ReferenceChoice : public ::testing::Test {
   }
 
   FoundReference find(const std::filesystem::path& file) {
-    wish_ = {.source = ReferenceSource::kFile, .file = file, .number = wish_.number + 1};
+    wish_ = {.source = ReferenceSource::kFile,
+             .file = file,
+             .loads = wish_.loads + 1,
+             .number = wish_.number + 1};
     return find(picture());
   }
 
@@ -118,6 +121,7 @@ TEST_F(ReferenceChoice, AKeptPictureIsAReferenceForItsCameraOnly) {
   Picture moved = picture();
   moved.camera.eye = {1.0f, 0.0f, 0.0f};
   expectNone(find(moved), "another camera");
+  ++wish_.number;  // chosen again
   EXPECT_EQ(find(picture()).reference, found.reference);
 }
 
@@ -162,6 +166,7 @@ TEST_F(ReferenceChoice, AFileIsReadAgainWhenItIsAskedForAgain) {
   writeImage(folder_ / "a.pfm", gradientImage(kWidth, kHeight), 1.0);
   const auto first = find(folder_ / "a.pfm").reference;
   ASSERT_NE(first, nullptr);
+  ++wish_.number;
   EXPECT_EQ(find(picture()).reference, first);
   EXPECT_NE(find(folder_ / "a.pfm").reference->id, first->id);
 }

@@ -77,5 +77,27 @@ TEST(PreviewPanels, CompareWithTheReference) {
   EXPECT_GT(bluePixels(compared, 500, 690), 50);
 }
 
+// On the left of the line is the noisy picture, on its right the reference; the camera stays.
+TEST(PreviewPanels, TheSliderIsDraggedOverThePicture) {
+  const VirtualDisplay display;
+  RealWindow window(
+      display, {"cornell_box", "--with", "solutions", "--tab", "compare", "--after-rays", "4"});
+  window.waitForTitle(" 4 rays");
+  // On both sides of the line in the middle, at column 416.
+  const auto left = [](const Image& shot) { return meanOf(shot, 270, 450, 120, 60); };
+  const auto right = [](const Image& shot) { return meanOf(shot, 450, 450, 120, 60); };
+  const Image picture = window.screenshot();
+  // The choice is grey until the reference has been read.
+  EXPECT_TRUE(waitFor([&] {
+    window.click(1141, 67);
+    return right(window.screenshot()) != right(picture);
+  }));
+  const Image halves = window.screenshot();
+  EXPECT_EQ(left(halves), left(picture));
+  window.drag(416, 400, 250, 300);
+  EXPECT_TRUE(waitFor([&] { return left(window.screenshot()) != left(picture); }));
+  EXPECT_EQ(right(window.screenshot()), right(halves));
+}
+
 }  // namespace
 }  // namespace pathmark::test

@@ -1,9 +1,10 @@
 // Pictures for tests of the preview, without a renderer.
 //
 //   testScene      an empty scene of some size
-//   NoisySeries    a picture whose rays have known means and noise
+//   NoisySeries    a picture whose passes have known means and noise
 #pragma once
 
+#include "preview/compare/known_noise.h"
 #include "preview/picture.h"
 #include "stats/moments.h"
 #include "tests/support/uniforms.h"
@@ -35,15 +36,17 @@ inline preview::Picture pictureOf(std::shared_ptr<const preview::PreviewScene> s
   picture.coursework = "student";
   picture.image = std::move(image);
   picture.replicates = replicates;
-  picture.raysPerPixel = 64.0;
+  picture.raysPerPixel = 1024.0;
   picture.seconds = 1.0;
   picture.series = picture.version = 1;
   return picture;
 }
 
-// Rays have exponential noise: a standard deviation as large as the mean, and skewness 2.
+// Passes have exponential noise: a standard deviation as large as the mean, and skewness 2.
 class NoisySeries {
  public:
+  static constexpr double kRaysOfPass = preview::kRaysOfReplicate;
+
   using Mean = std::function<double(int column, int row)>;
 
   NoisySeries(std::shared_ptr<const preview::PreviewScene> scene, std::uint64_t number,
@@ -61,24 +64,25 @@ class NoisySeries {
   }
 
   // In each replicate.
-  void addRays(int count) {
+  void addPasses(int count) {
     for (std::size_t i = 0; i < sums_.size(); ++i)
       for (int k = 0; k < count; ++k)
         sums_[i] -= means_[i / replicates_] * std::log1p(-random_.nextDouble());
-    rays_ += count;
+    passes_ += count;
   }
 
   std::shared_ptr<const preview::Picture> picture() {
     Image image{width_, height_};
     for (std::size_t i = 0; i < means_.size(); ++i) {
       stats::RunningMoments moments;
-      for (std::size_t r = 0; r < replicates_; ++r) moments.add(sums_[i * replicates_ + r] / rays_);
+      for (std::size_t r = 0; r < replicates_; ++r)
+        moments.add(sums_[i * replicates_ + r] / passes_);
       image.rgb.push_back(static_cast<float>(moments.mean()));
       image.variance.push_back(static_cast<float>(moments.variance() / replicates_));
     }
     preview::Picture picture = pictureOf(scene_, std::move(image), replicates_);
-    picture.raysPerPixel = static_cast<double>(rays_) * replicates_;
-    picture.seconds = 0.01 * picture.raysPerPixel;
+    picture.raysPerPixel = kRaysOfPass * passes_ * replicates_;
+    picture.seconds = 0.001 * picture.raysPerPixel;
     picture.series = number_;
     picture.version = (number_ << 32) + ++made_;
     return std::make_shared<const preview::Picture>(std::move(picture));
@@ -91,7 +95,7 @@ class NoisySeries {
   std::uint32_t replicates_;
   int width_, height_;
   std::vector<double> means_, sums_;  // of values, and of the replicates of each
-  int rays_ = 0;
+  int passes_ = 0;
 };
 
 }  // namespace pathmark::test
