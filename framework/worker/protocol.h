@@ -38,7 +38,7 @@ enum class MessageKind : std::uint32_t {
   kCall = 5,
   kEstimate = 6,
   kRecordPixel = 7,
-  kRecordPaths = 9,
+  kRecordPaths = 8,
 };
 
 struct MessageHeader {

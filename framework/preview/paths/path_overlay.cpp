@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pathmark::preview {
@@ -35,11 +36,15 @@ void drawCross(ImDrawList& list, const ImVec2& p, float size, float thickness, I
 void drawDashes(ImDrawList& list, const ImVec2& from, const ImVec2& to, float dash, ImU32 colour,
                 float thickness) {
   const float dx = to.x - from.x, dy = to.y - from.y;
-  const float length = std::sqrt(dx * dx + dy * dy);
-  for (float a = 0.0f; a < length; a += 2.0f * dash) {
-    const float b = std::min(a + dash, length);
-    list.AddLine({from.x + dx * a / length, from.y + dy * a / length},
-                 {from.x + dx * b / length, from.y + dy * b / length}, colour, thickness);
+  const float length = std::max(std::hypot(dx, dy), 1e-3f);
+  const auto place = [&](float way) {
+    const float share = std::min(way / length, 1.0f);
+    return ImVec2(from.x + dx * share, from.y + dy * share);
+  };
+  const int dashes = static_cast<int>(length / (2.0f * dash)) + 1;
+  for (int k = 0; k < dashes; ++k) {
+    const float way = 2.0f * dash * static_cast<float>(k);
+    list.AddLine(place(way), place(way + dash), colour, thickness);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "preview/paths/path_record.h"
 
 #include <cmath>
+#include <ranges>
 
 namespace pathmark::preview {
 
@@ -45,8 +46,8 @@ class PathReader {
 
   // The newest vertex there, which is the last but in unusual coursework.
   PathVertex* vertexAt(const Point& p) {
-    for (auto v = path_.vertices.rbegin(); v != path_.vertices.rend(); ++v)
-      if (v->p == p) return &*v;
+    for (PathVertex& vertex : path_.vertices | std::views::reverse)
+      if (vertex.p == p) return &vertex;
     return last();
   }
 

@@ -29,7 +29,8 @@ RenderJob jobFor(const PathRequest& request) {
   job.sampler = request.sampler;
   job.seed = request.seed;
   job.raysPerPass = request.raysPerPass;
-  job.rays = (request.rays + request.raysPerPass - 1) / request.raysPerPass * request.raysPerPass;
+  const std::uint64_t passes = (request.rays + request.raysPerPass - 1) / request.raysPerPass;
+  job.rays = passes * request.raysPerPass;
   job.region = {request.column, request.row, 1, 1};
   job.ownCamera = 1;
   job.camera = request.camera;

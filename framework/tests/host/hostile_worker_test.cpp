@@ -109,7 +109,7 @@ TEST_F(HostileWorker, AnAnswerThatNeverEndsIsATimeLimit) {
 TEST_F(HostileWorker, ARecordOfPathsThatIsNoneIsNonsense) {
   const std::string greeting = header(kMagic, 1, 0, kEight) + kHelloBody;
   const auto record = [&](const std::string& length, int bytes) {
-    return faultOfPaths(greeting + header(kMagic, 9, 1, length.c_str()) + "head -c " +
+    return faultOfPaths(greeting + header(kMagic, 8, 1, length.c_str()) + "head -c " +
                         std::to_string(bytes) + " /dev/zero >&3\nexec sleep 60\n");
   };
   const std::string rest = "\\x00\\x00\\x00\\x00\\x00\\x00\\x00";

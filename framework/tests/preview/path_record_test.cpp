@@ -1,9 +1,15 @@
 // From what a worker has recorded to paths.
 #include "preview/paths/path_record.h"
 
+#include "preview/paths/path_account.h"
+#include "preview/paths/path_text.h"
+
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace pathmark::preview {
 namespace {
@@ -87,16 +93,40 @@ TEST(PathRecord, TellsQuestionsOfShadowRaysFromThoseOfThePath) {
 }
 
 // The host has seen to whole paths only: within them anything may come.
-TEST(PathRecord, TakesAnyOrderOfEventsWithinAPath) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (std::uint32_t first = 2; first < 12; ++first)
-    for (std::uint32_t second = 2; second < 12; ++second) {
-      const auto paths = readPaths(std::vector{
-          event(PathEventKind::kPath, vec3(nan)),
-          event(static_cast<PathEventKind>(first), vec3(nan), vec3(nan), vec3(nan), nan),
-          event(static_cast<PathEventKind>(second)), event(PathEventKind::kRadiance)});
-      EXPECT_EQ(paths.size(), 1u) << first << " " << second;
+TEST(PathRecord, TakesAnyEventsWithinAPath) {
+  constexpr float kNumbers[] = {0.0f,
+                                1.0f,
+                                -1.0f,
+                                1e30f,
+                                std::numeric_limits<float>::infinity(),
+                                std::numeric_limits<float>::quiet_NaN()};
+  std::mt19937 random(1);
+  const auto number = [&] { return kNumbers[random() % std::size(kNumbers)]; };
+  const auto vector = [&] { return vec3(number(), number(), number()); };
+  const LoadedScene scene;
+  std::size_t vertices = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::vector<PathEvent> events{event(PathEventKind::kPath, vector(), vector())};
+    for (int i = 0; i < 12; ++i) {
+      const auto kind = static_cast<PathEventKind>(2 + random() % 10);
+      events.push_back(event(kind, vector(), vector(), vector(), number()));
+      events.back().integer = static_cast<int>(random() % 3) - 1;
+      events.back().flag = random() % 2;
+      events.back().y = number();
     }
+    events.push_back(event(PathEventKind::kRadiance, vector()));
+    const auto paths = readPaths(events);
+    ASSERT_EQ(paths.size(), 1u);
+    const PathAccount account = accountFor(paths[0], {random() % 2 == 0, random() % 3});
+    ASSERT_EQ(account.vertices.size(), paths[0].vertices.size());
+    for (std::size_t v = 0; v < paths[0].vertices.size(); ++v) {
+      ASSERT_EQ(account.vertices[v].shadowRays.size(), paths[0].vertices[v].shadowRays.size());
+      EXPECT_FALSE(describeVertex(paths[0], account, v, scene).empty());
+    }
+    EXPECT_FALSE(endOf(paths[0]).empty());
+    vertices += paths[0].vertices.size();
+  }
+  EXPECT_GT(vertices, 1000u);
 }
 
 }  // namespace
