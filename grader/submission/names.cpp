@@ -1,0 +1,91 @@
+#include "submission/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pathmark::submission {
+
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+bool isSafe(char c) {
+  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '_' ||
+         c == '-';
+}
+
+// Longer endings before those that they end in.
+constexpr std::array<std::string_view, 13> kArchiveEndings{
+    ".tar.gz", ".tar.xz", ".tar.bz2", ".tar.zst", ".tar.lzma", ".tgz", ".txz",
+    ".tbz2",   ".tbz",    ".tzst",    ".tlz",     ".zip",      ".tar"};
+
+}  // namespace
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+std::string safeName(std::string_view name) {
+  std::string safe;
+  for (const char c : name) {
+    // A run of other characters, such as the bytes of one letter, becomes one '_'.
+    if (isSafe(c)) {
+      safe += c;
+    } else if (safe.empty() || safe.back() != '_') {
+      safe += '_';
+    }
+  }
+  // Neither hidden, nor an option, nor ".".
+  safe.erase(0, std::min(safe.find_first_not_of(".-"), safe.size()));
+  safe.resize(std::min(safe.size(), kLongestName));
+  const bool saysSomething = safe.find_first_not_of("._-") != std::string::npos;
+  return saysSomething ? safe : "submission";
+}
+
+std::string UniqueNames::unique(const std::string& safe) {
+  std::string name = safe;
+  for (int count = 2; !taken_.insert(lowerCase(name)).second; ++count) {
+    const std::string ending = fmt::format("-{}", count);
+    name = safe.substr(0, kLongestName - ending.size()) + ending;
+  }
+  return name;
+}
+
+bool naturalLess(std::string_view a, std::string_view b) {
+  const std::string x = lowerCase(a), y = lowerCase(b);
+  std::size_t i = 0, j = 0;
+  while (i < x.size() && j < y.size()) {
+    if (isDigit(x[i]) && isDigit(y[j])) {
+      // Numbers of any length: without leading zeros the longer one is larger.
+      while (i < x.size() && x[i] == '0') ++i;
+      while (j < y.size() && y[j] == '0') ++j;
+      const std::size_t from = i, start = j;
+      while (i < x.size() && isDigit(x[i])) ++i;
+      while (j < y.size() && isDigit(y[j])) ++j;
+      if (i - from != j - start) return i - from < j - start;
+      const int order = x.compare(from, i - from, y, start, j - start);
+      if (order != 0) return order < 0;
+    } else if (x[i] != y[j]) {
+      return static_cast<unsigned char>(x[i]) < static_cast<unsigned char>(y[j]);
+    } else {
+      ++i, ++j;
+    }
+  }
+  const std::size_t restX = x.size() - i, restY = y.size() - j;
+  return restX != restY ? restX < restY : a < b;
+}
+
+std::optional<std::string> archiveStem(std::string_view name) {
+  const std::string lower = lowerCase(name);
+  for (const std::string_view ending : kArchiveEndings)
+    if (lower.size() > ending.size() && lower.ends_with(ending))
+      return std::string(name.substr(0, name.size() - ending.size()));
+  return std::nullopt;
+}
+
+}  // namespace pathmark::submission

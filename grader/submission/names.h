@@ -1,0 +1,35 @@
+// The names of submissions.
+//
+//   safeName       a name that is safe as a folder's, in a table and in a report
+//   UniqueNames    the same name a second time gets -2
+//   naturalLess    "task 9" before "task 10"
+//   archiveStem    "work" for "work.tar.gz"; nothing if the name is not an archive's
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace pathmark::submission {
+
+inline constexpr std::size_t kLongestName = 80;
+
+std::string lowerCase(std::string_view text);  // of ASCII letters
+
+std::string safeName(std::string_view name);
+
+class UniqueNames {
+ public:
+  // `safe` is a safeName. Capitals count as small letters, as in some file systems.
+  std::string unique(const std::string& safe);
+
+ private:
+  std::set<std::string> taken_;  // in small letters
+};
+
+bool naturalLess(std::string_view a, std::string_view b);
+
+std::optional<std::string> archiveStem(std::string_view name);
+
+}  // namespace pathmark::submission

@@ -1,0 +1,288 @@
+#include "submission/sorter.h"
+
+#include "host/content_hash.h"
+#include "scene/syntax_sentence.h"
+#include "submission/names.h"
+#include "worker/contract.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pathmark::submission {
+
+namespace {
+
+constexpr std::size_t kMostNotes = 20;
+constexpr std::size_t kMostNearMisses = 5;
+constexpr std::size_t kLongestShown = 120;
+
+constexpr double kMebibyte = 1 << 20;
+
+// What the project has beside student/: coursework in it is not the student's.
+constexpr std::array<std::string_view, 7> kProjectFolders{
+    "framework", "solutions", "answers", "grader", "handouts", "scenes", "build"};
+
+std::string joined(const std::vector<std::string>& path) {
+  return shown(fmt::format("{}", fmt::join(path, "/")), kLongestShown);
+}
+
+bool endsWith(const std::string& name, std::string_view ending) {
+  return name.size() > ending.size() && lowerCase(name).ends_with(ending);
+}
+
+// Files that systems and editors leave behind, without a word.
+bool isDebris(const std::vector<std::string>& path) {
+  return std::any_of(path.begin(), path.end(), [](const std::string& piece) {
+    return piece.starts_with('.') || piece == "__MACOSX";
+  });
+}
+
+bool isArchiveName(const std::string& name) {
+  return archiveStem(name) || endsWith(name, ".7z") || endsWith(name, ".rar") ||
+         endsWith(name, ".gz") || endsWith(name, ".xz") || endsWith(name, ".zst");
+}
+
+// Names that scenes of any system can be written under, and that mean nothing to a shell.
+bool isPlain(const std::string& piece) {
+  constexpr std::string_view kOthers = " ._-()+,";
+  return !piece.starts_with('.') && !piece.starts_with('-') && !piece.starts_with(' ') &&
+         !piece.ends_with(' ') && !piece.ends_with('.') && piece.size() <= 100 &&
+         std::all_of(piece.begin(), piece.end(), [&](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                  kOthers.find(c) != std::string_view::npos;
+         });
+}
+
+// Why an entry under the name of a coursework file is none; empty for a file.
+std::string kindProblem(const Entry& entry) {
+  switch (entry.kind) {
+    case EntryKind::kFile:
+      return entry.encrypted ? "is encrypted" : "";
+    case EntryKind::kFolder:
+      return "is a folder";
+    case EntryKind::kSymbolicLink:
+    case EntryKind::kHardLink:
+      return "is a link, and links are not followed";
+    case EntryKind::kOther:
+      break;
+  }
+  return "is a pipe or a device";
+}
+
+}  // namespace
+
+// The name as the contract spells it; empty if the file is none of the coursework's.
+std::string Sorter::partName(const std::string& name) {
+  for (const PartContract& part : parts())
+    if (lowerCase(name) == part.file) return std::string(part.file);
+  return {};
+}
+
+// The name below the folder of the coursework, which the first `below` pieces are; empty if the
+// file is no scene's.
+std::string Sorter::sceneName(const Path& path, std::size_t below) {
+  if (path.size() < below + 2 || lowerCase(path[below]) != "scenes") return {};
+  const bool direct = path.size() == below + 2;
+  if (!(direct && endsWith(path.back(), ".json")) && !endsWith(path.back(), ".obj")) return {};
+  const Path rest(path.begin() + static_cast<std::ptrdiff_t>(below) + 1, path.end());
+  return fmt::format("scenes/{}", fmt::join(rest, "/"));
+}
+
+bool Sorter::mayBeOfAScene(const Path& path) {
+  for (std::size_t below = 0; below + 1 < path.size(); ++below)
+    if (!sceneName(path, below).empty()) return true;
+  return false;
+}
+
+std::size_t Sorter::largest(const std::string& name) const {
+  if (endsWith(name, ".obj")) return limits_.meshBytes;
+  return endsWith(name, ".json") ? limits_.sceneBytes : limits_.codeBytes;
+}
+
+void Sorter::note(std::string sentence) { notes_.push_back(std::move(sentence)); }
+
+void Sorter::take(const Entry& entry, const ReadEntry& read) {
+  if (++entries_ > limits_.entries)
+    throw Refusal(fmt::format("it holds more than {} files and folders", limits_.entries));
+  const EntryPath path = splitPath(entry.path, limits_);
+  if (!path.problem.empty()) {
+    note(fmt::format("{} was refused: it {}.", inQuotes(entry.path), path.problem));
+    return;
+  }
+  if (path.pieces.empty()) return;
+  const std::string& name = path.pieces.back();
+  const bool isFolder = entry.kind == EntryKind::kFolder;
+  if (isDebris(path.pieces)) {
+    ignored_ += isFolder ? 0 : 1;
+  } else if (!partName(name).empty() || mayBeOfAScene(path.pieces)) {
+    keep(path.pieces, entry, read);
+  } else if (isFolder) {
+    return;
+  } else if (entry.kind != EntryKind::kFile) {
+    note(fmt::format("{} was refused: it {}.", joined(path.pieces), kindProblem(entry)));
+  } else if (isArchiveName(name)) {
+    note(fmt::format("{} was not opened: it is an archive within the submission.",
+                     joined(path.pieces)));
+  } else {
+    ++ignored_;
+    const std::string lower = lowerCase(name);
+    if (lower.starts_with("part") && lower.find(".cpp") != std::string::npos)
+      nearMisses_.push_back(joined(path.pieces));
+  }
+}
+
+void Sorter::keep(Path path, const Entry& entry, const ReadEntry& read) {
+  Candidate candidate{std::move(path), kindProblem(entry), {}};
+  if (candidate.problem.empty()) {
+    const std::size_t most = largest(candidate.path.back());
+    candidate.bytes = read(most + 1);
+    if (candidate.bytes.size() > most) {
+      candidate.problem =
+          fmt::format("is larger than {:g} MiB", static_cast<double>(most) / kMebibyte);
+      candidate.bytes = {};
+    }
+  }
+  keptBytes_ += candidate.bytes.size();
+  if (keptBytes_ > limits_.keptBytes)
+    throw Refusal(fmt::format("its coursework files have more than {:g} MiB together",
+                              static_cast<double>(limits_.keptBytes) / kMebibyte));
+  candidates_.push_back(std::move(candidate));
+}
+
+// Whether the file lies in another folder of a project whose student/ has been handed in as well.
+bool Sorter::belongsToTheProject(const Candidate& candidate) const {
+  const Path folder = candidate.folder();
+  for (const Candidate& other : candidates_) {
+    const Path home = other.folder();
+    if (home.empty() || home.back() != "student" || partName(other.path.back()).empty()) continue;
+    const std::size_t top = home.size() - 1;
+    if (folder.size() > top && std::equal(home.begin(), home.end() - 1, folder.begin()) &&
+        std::find(kProjectFolders.begin(), kProjectFolders.end(), folder[top]) !=
+            kProjectFolders.end())
+      return true;
+  }
+  return false;
+}
+
+std::string Sorter::sceneTarget(const Candidate& candidate, const std::set<Path>& folders) const {
+  for (const Path& folder : folders) {
+    if (candidate.path.size() <= folder.size() ||
+        !std::equal(folder.begin(), folder.end(), candidate.path.begin()))
+      continue;
+    const std::string name = sceneName(candidate.path, folder.size());
+    if (!name.empty()) return name;
+  }
+  return {};
+}
+
+// One file, or several under its name: which of them is meant is not for luck to say.
+void Sorter::decide(const std::string& target, const std::vector<const Candidate*>& candidates,
+                    Collected& collected) {
+  const Candidate& first = *candidates.front();
+  const bool same = std::all_of(candidates.begin(), candidates.end(), [&](const Candidate* other) {
+    return other->problem == first.problem && other->bytes == first.bytes;
+  });
+  if (!same) {
+    std::set<std::string> places;
+    for (const Candidate* candidate : candidates) places.insert(joined(candidate->path));
+    note(fmt::format("{} was refused: it was handed in {} times with different contents ({}).",
+                     target, candidates.size(), fmt::join(places, ", ")));
+    return;
+  }
+  if (!first.problem.empty()) {
+    note(fmt::format("{} was refused: it {}.", joined(first.path), first.problem));
+    return;
+  }
+  if (candidates.size() > 1)
+    note(fmt::format("{} was handed in {} times with the same contents.", target,
+                     candidates.size()));
+  const std::string given = first.path.back();
+  if (!partName(given).empty() && given != target)
+    note(fmt::format("{} was renamed to {}.", joined(first.path), target));
+  collected.files.emplace(target, first.bytes);
+}
+
+void Sorter::sayWhatIsMissing(const std::set<std::string>& seen, Collected& collected) {
+  std::vector<std::string_view> missing;
+  for (const PartContract& part : parts())
+    if (!seen.contains(std::string(part.file))) missing.push_back(part.file);
+  if (!missing.empty() && missing.size() < parts().size())
+    note(fmt::format("{} {} missing.", fmt::join(missing, ", "),
+                     missing.size() == 1 ? "is" : "are"));
+  const bool anyPart = std::any_of(collected.files.begin(), collected.files.end(),
+                                   [](const auto& file) { return !partName(file.first).empty(); });
+  if (anyPart) return;
+  std::vector<std::string_view> all;
+  for (const PartContract& part : parts()) all.push_back(part.file);
+  collected.failure = fmt::format("Nothing was taken: none of the files {} {} in it.",
+                                  fmt::join(all, ", "), seen.empty() ? "is" : "could be read");
+}
+
+Collected Sorter::finish() {
+  std::map<std::string, std::vector<const Candidate*>> byTarget;
+  std::set<Path> folders;
+  std::vector<const Candidate*> others;
+  for (const Candidate& candidate : candidates_) {
+    const std::string name = partName(candidate.path.back());
+    if (name.empty()) {
+      others.push_back(&candidate);
+    } else if (belongsToTheProject(candidate)) {
+      ++ignored_;
+    } else {
+      byTarget[name].push_back(&candidate);
+      folders.insert(candidate.folder());
+    }
+  }
+  std::set<std::string> seen;
+  for (const auto& target : byTarget) seen.insert(target.first);
+
+  // Scenes that differ only by capitals are one file in some file systems.
+  std::map<std::string, std::vector<const Candidate*>> scenes;
+  for (const Candidate* candidate : others) {
+    const std::string name = sceneTarget(*candidate, folders);
+    if (name.empty()) {
+      ignored_ += candidate->problem == "is a folder" ? 0 : 1;
+    } else if (!std::all_of(candidate->path.begin() + 1, candidate->path.end(), isPlain)) {
+      note(
+          fmt::format("{} was refused: names of scenes and meshes have letters, digits, spaces "
+                      "and . _ - ( ) + , only.",
+                      joined(candidate->path)));
+    } else {
+      scenes[lowerCase(name)].push_back(candidate);
+    }
+  }
+
+  Collected collected;
+  for (const auto& [target, candidates] : byTarget) decide(target, candidates, collected);
+  for (const auto& [lower, candidates] : scenes)
+    decide(sceneTarget(*candidates.front(), folders), candidates, collected);
+  sayWhatIsMissing(seen, collected);
+
+  for (const std::string& name : nearMisses_) {
+    if (&name - nearMisses_.data() == kMostNearMisses) break;
+    note(fmt::format("{} was ignored: this is not the name of a file of the coursework.", name));
+  }
+  if (ignored_ > 0)
+    note(fmt::format("{} other {} ignored: only part*.cpp and scenes/ are taken.", ignored_,
+                     ignored_ == 1 ? "file was" : "files were"));
+
+  ContentHasher hasher;
+  for (const auto& [name, bytes] : collected.files)
+    hasher.add(fmt::format("{} {}\n{}", name, bytes.size(), bytes));
+  collected.contents = hasher.digits();
+
+  // What was handed in first is not what counts: a report must not depend on it.
+  std::sort(notes_.begin(), notes_.end());
+  collected.remarks = std::move(notes_);
+  if (collected.remarks.size() > kMostNotes) {
+    const std::size_t more = collected.remarks.size() - kMostNotes;
+    collected.remarks.resize(kMostNotes);
+    collected.remarks.push_back(fmt::format("There are {} more remarks of this kind.", more));
+  }
+  return collected;
+}
+
+}  // namespace pathmark::submission

@@ -1,0 +1,66 @@
+// Collecting submissions: from what is handed in to the files that are compiled.
+//
+//   findSubmissions   the submissions that words of the command line mean
+//   collect           the expected files of one, in memory, and what was refused
+//   writeOut          those files in a clean folder
+//
+// A submission is a folder or an archive (zip or tar) that holds at least one file part*.cpp of the
+// coursework, directly, in a folder student/, or below folders that merely wrap it. Of its files
+// only part*.cpp, scenes/*.json and the meshes below scenes/ are taken. Nothing of an archive is
+// written anywhere while it is read, links are not followed, and whatever is odd becomes a
+// sentence.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pathmark::submission {
+
+struct Submission {
+  std::string name;              // unique; letters, digits, '.', '_', '-', at most 80 of them
+  std::filesystem::path source;  // the folder or archive
+  bool isArchive = false;
+};
+
+struct FoundSubmissions {
+  std::vector<Submission> submissions;  // in natural order of their names
+  std::vector<std::string> remarks;     // about what is no submission: sentences
+};
+
+// A folder that is no submission is a class: each of its entries may be one. A folder of a class
+// that holds nothing but one archive, as learning platforms make them, is that archive under the
+// folder's name.
+FoundSubmissions findSubmissions(std::span<const std::filesystem::path> paths);
+
+struct Limits {
+  std::size_t entries = 10'000;  // files, folders and whatever else there is
+  std::size_t pathBytes = 512, pathDepth = 16;
+  std::size_t codeBytes = std::size_t{1} << 20;  // of one file, as everywhere else
+  std::size_t sceneBytes = std::size_t{4} << 20;
+  std::size_t meshBytes = std::size_t{16} << 20;
+  std::size_t keptBytes = std::size_t{64} << 20;           // of all files that may be taken
+  std::uint64_t archiveBytes = std::uint64_t{128} << 20;   // as it was handed in
+  std::uint64_t unpackedBytes = std::uint64_t{512} << 20;  // of all entries, skipped or not
+  double seconds = 30.0;
+};
+
+struct Collected {
+  // "part3_lambertian.cpp", "scenes/my_scene.json", "scenes/meshes/cup.obj" and their bytes.
+  std::map<std::string, std::string> files;
+  std::string contents;  // hash of names and bytes: the same for a folder and any archive of it
+  std::vector<std::string> remarks;  // what was refused, renamed, ignored or is missing: sentences
+  std::string failure;               // why nothing at all was taken: a sentence
+};
+
+// Never throws because of what is in the submission.
+Collected collect(const Submission& submission, const Limits& limits = {});
+
+// The folder is made; if it is there, it must be empty. Throws std::runtime_error with a sentence.
+void writeOut(const Collected& collected, const std::filesystem::path& folder);
+
+}  // namespace pathmark::submission
