@@ -85,10 +85,12 @@ TEST_F(Collecting, TakesOnlyStudentOfAWholeProject) {
   MadeArchive made;
   for (const char* folder : {"student", "solutions", "grader/variants", "framework/tests"})
     made.file(std::string("pathmark/") + folder + "/" + kPart3, folder);
+  made.file("pathmark/grader/checks/part3_checks.cpp");
   made.file("pathmark/scenes/cornell_box.json").file("pathmark/student/scenes/mine.json", "mine");
   const Collected project = collected(made);
   EXPECT_EQ(names(project), (Names{kPart3, "scenes/mine.json"}));
   EXPECT_EQ(project.files.at(kPart3), "student");
+  EXPECT_EQ(project.remarks.size(), 2u) << allRemarks(project);  // what is missing, what is ignored
 }
 
 TEST_F(Collecting, RefusesTwoDifferentFilesOfOneName) {
