@@ -1,5 +1,6 @@
 // pathmark grade: from what a class has handed in to marks with reasons.
 #include "commands/commands.h"
+#include "commands/grade.h"
 #include "grading/class_folder.h"
 #include "grading/class_run.h"
 #include "grading/write_reports.h"
@@ -33,18 +34,6 @@ namespace pathmark {
 namespace fs = std::filesystem;
 
 namespace {
-
-struct GradeArguments {
-  std::vector<std::string> what;
-  std::string out;
-  std::optional<std::uint64_t> seed;
-  unsigned jobs = 0;
-  std::string rubric;
-  std::string only;
-  std::string sandbox;
-  double secondsAtMost = 600.0;
-  bool unsafe = false;
-};
 
 std::string timeInWords(double seconds) {
   if (seconds < 90.0) return fmt::format("{:.0f} s", std::ceil(seconds));
@@ -127,6 +116,8 @@ std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
   return sandbox;
 }
 
+}  // namespace
+
 int grade(const GradeArguments& arguments) {
   const rubric::Rubric rubric =
       rubric::readRubric(arguments.rubric.empty() ? rubric::defaultRubric() : arguments.rubric);
@@ -139,6 +130,7 @@ int grade(const GradeArguments& arguments) {
     throw UsageError(
         "Name what is to be graded: folders or archives with part*.cpp files, or a folder of "
         "such.");
+  const auto sandbox = submissions.empty() ? nullptr : openSandboxFor(arguments);
   const grading::ClassFolder folder(out, asked);
 
   int code = kSuccess;
@@ -150,7 +142,7 @@ int grade(const GradeArguments& arguments) {
     options.threads = std::max(1u, processors / options.jobs);
     options.secondsAtMost = arguments.secondsAtMost;
     Screen screen(submissions.size());
-    grading::gradeClass(submissions, folder, openSandboxFor(arguments), options, screen.events());
+    grading::gradeClass(submissions, folder, sandbox, options, screen.events());
     screen.clear();
     if (screen.anyInternalError()) code = kMachineFault;
   }
@@ -164,8 +156,6 @@ int grade(const GradeArguments& arguments) {
   }
   return code;
 }
-
-}  // namespace
 
 void addGradeCommand(CLI::App& app, CommandAction& action) {
   const auto arguments = std::make_shared<GradeArguments>();
