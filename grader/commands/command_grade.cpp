@@ -108,6 +108,15 @@ class Screen {
   bool internalError_ = false;
 };
 
+rubric::Rubric readRubricFor(const GradeArguments& arguments) {
+  try {
+    return rubric::readRubric(arguments.rubric.empty() ? rubric::defaultRubric()
+                                                       : fs::path(arguments.rubric));
+  } catch (const rubric::RubricError& e) {
+    throw UsageError(e.what());
+  }
+}
+
 std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
   const auto sandbox = sandbox::openSandbox(arguments.sandbox, arguments.unsafe);
   if (!sandbox)
@@ -119,8 +128,7 @@ std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
 }  // namespace
 
 int grade(const GradeArguments& arguments) {
-  const rubric::Rubric rubric =
-      rubric::readRubric(arguments.rubric.empty() ? rubric::defaultRubric() : arguments.rubric);
+  const rubric::Rubric rubric = readRubricFor(arguments);
   const grading::RunAsked asked = runAsked(arguments);
   const std::vector<submission::Submission> submissions = findAll(arguments);
   const fs::path out = !arguments.out.empty()

@@ -7,7 +7,6 @@
 #include "report/junit.h"
 #include "report/marks_csv.h"
 #include "report/submission_html.h"
-#include "rubric/mark_submission.h"
 
 namespace pathmark::grading {
 
