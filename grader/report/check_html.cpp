@@ -40,13 +40,14 @@ Markup passedHtml(const std::vector<const CheckRecord*>& passed) {
   if (passed.empty()) return {};
   Markup list;
   for (const CheckRecord* check : passed) {
-    list += markup("<li><code>{}</code> {}{}", check->id, withStop(check->statement),
-                   sureness(*check));
+    list +=
+        markup("<li><code>{}</code> {}{}", check->id, withStop(check->statement), sureness(*check));
     if (!check->remark.empty()) list += markup(" <em>Note: {}</em>", withStop(check->remark));
     list += Markup{"</li>\n"};
   }
-  return markup("<details><summary>{} {} passed</summary>\n<ul class=\"passed\">\n{}</ul></details>\n",
-                passed.size(), passed.size() == 1 ? "check" : "checks", list);
+  return markup(
+      "<details><summary>{} {} passed</summary>\n<ul class=\"passed\">\n{}</ul></details>\n",
+      passed.size(), passed.size() == 1 ? "check" : "checks", list);
 }
 
 }  // namespace

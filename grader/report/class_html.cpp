@@ -92,8 +92,8 @@ Markup partMeans(GradedClass graded, const std::vector<ClassPart>& parts) {
         "{}</td></tr>\n",
         part.title, pointsBar(mean, part.outOf), mean, pointsText(part.outOf));
   }
-  return markup("<table class=\"means\"><caption>Mean of each part</caption><tbody>{}</tbody></table>",
-                rows);
+  return markup(
+      "<table class=\"means\"><caption>Mean of each part</caption><tbody>{}</tbody></table>", rows);
 }
 
 Markup overview(GradedClass graded, const std::vector<ClassPart>& parts) {
@@ -109,8 +109,8 @@ Markup overview(GradedClass graded, const std::vector<ClassPart>& parts) {
 Markup toLookAt(GradedClass graded) {
   Markup list;
   const auto add = [&](const Graded& g, const std::string& sentence) {
-    list += markup("<li><a href=\"{}\">{}</a> {}</li>\n", Markup{linkOf(g)}, g.record->name,
-                   sentence);
+    list +=
+        markup("<li><a href=\"{}\">{}</a> {}</li>\n", Markup{linkOf(g)}, g.record->name, sentence);
   };
   for (const Graded& g : graded)
     if (g.record->internalError())
@@ -118,8 +118,8 @@ Markup toLookAt(GradedClass graded) {
   for (const Graded& g : graded)
     for (const std::string& sentence : g.marks->toReview) add(g, sentence);
   if (list.html.empty()) return {};
-  return markup("<section class=\"part review\"><h2>Look at these first</h2>\n<ul>{}</ul></section>\n",
-                list);
+  return markup(
+      "<section class=\"part review\"><h2>Look at these first</h2>\n<ul>{}</ul></section>\n", list);
 }
 
 Markup headline(GradedClass graded) {

@@ -84,25 +84,26 @@ Row means(GradedClass graded, const std::vector<ClassPart>& parts) {
   return row;
 }
 
-// Sentences with commas between them, broken between words so that each line fits.
+// One sentence, broken between words where it has to be.
+void addSentence(std::vector<std::string>& lines, std::string_view sentence, std::size_t width) {
+  const auto fits = [&](std::string_view words) {
+    return lines.back().empty() || columnsOf(lines.back()) + 1 + columnsOf(words) <= width;
+  };
+  if (!fits(sentence)) lines.emplace_back();
+  while (!sentence.empty()) {
+    const std::string_view word = sentence.substr(0, sentence.find(' '));
+    sentence.remove_prefix(std::min(word.size() + 1, sentence.size()));
+    if (!fits(word)) lines.emplace_back();
+    lines.back() += fmt::format("{}{}", lines.back().empty() ? "" : " ", word);
+  }
+}
+
+// With commas between them; a new line begins with a sentence where that is possible.
 std::vector<std::string> linesOf(const std::vector<std::string>& sentences, std::size_t width) {
   std::vector<std::string> lines{{}};
-  for (const std::string& sentence : sentences) {
-    std::string_view rest = sentence;
-    while (!rest.empty()) {
-      const std::size_t space = std::min(rest.find(' '), rest.size());
-      std::string word(rest.substr(0, space));
-      rest.remove_prefix(std::min(space + 1, rest.size()));
-      if (rest.empty() && &sentence != &sentences.back()) word += ",";
-      std::string& line = lines.back();
-      if (line.empty())
-        line = word;
-      else if (columnsOf(line) + 1 + columnsOf(word) <= width)
-        line += " " + word;
-      else
-        lines.push_back(word);
-    }
-  }
+  for (const std::string& sentence : sentences)
+    addSentence(lines, &sentence == &sentences.back() ? sentence : fmt::format("{},", sentence),
+                width);
   return lines;
 }
 
@@ -139,7 +140,7 @@ std::string lineOf(const Row& row, const Widths& widths, bool colour) {
   for (const std::size_t width : widths.numbers) indent += width + 1;
   const std::vector<std::string> words = linesOf(row.words, widths.words);
   for (std::size_t i = 0; i < words.size() && !words[i].empty(); ++i)
-    line += fmt::format("{}{}", i == 0 ? std::string(kGap) : "\n" + std::string(indent, ' '),
+    line += fmt::format("{}{}", i == 0 ? std::string(kGap) : fmt::format("\n{:{}}", "", indent),
                         painted(words[i], row.wordsColour, colour));
   return line + "\n";
 }

@@ -31,14 +31,15 @@ std::string partName(int part);
 // Wrong, not compiling, stopped; neither unwritten nor blocked nor an error of the grader.
 bool isFault(record::Verdict verdict);
 
-// "part 4 does not compile", "parts 2 and 3 wrong"; what is only blocked is left out. An internal
-// error comes first.
+// "part 4 does not compile", "parts 2 and 3 wrong"; what is only blocked is left out. After an
+// internal error nothing else is known.
 std::vector<std::string> whatIsWrong(const record::SubmissionRecord& record);
 
 // Null if there are none.
 const record::CheckRecord* worstOf(const std::vector<record::CheckRecord>& checks);
 
-// Those that are known: "where", "expected", "got", "tolerance", "likely", "note", "read", "repeat".
+// Those that are known: "where", "expected", "got", "tolerance", "likely", "note", "read",
+// "repeat".
 std::vector<Field> fieldsOf(const record::CheckRecord& check);
 
 // The same as lines of text, the statement first.

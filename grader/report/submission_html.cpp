@@ -88,9 +88,9 @@ Markup partsTable(const SubmissionRecord& record, const std::vector<PartView>& v
         "<tr><th scope=\"row\"><a href=\"#part-{}\">{}</a></th><td>{}</td>"
         "<td class=\"number\">{}</td><td class=\"barcell\">{}</td></tr>\n",
         view.part, view.title, verdict ? verdictChip(*verdict) : Markup{},
-        view.marks ? fmt::format("{} / {}", pointsText(view.marks->points),
-                                 pointsText(view.marks->outOf))
-                   : std::string(),
+        view.marks
+            ? fmt::format("{} / {}", pointsText(view.marks->points), pointsText(view.marks->outOf))
+            : std::string(),
         view.marks ? pointsBar(view.marks->points, view.marks->outOf) : Markup{});
   }
   return markup(
@@ -104,9 +104,10 @@ Markup collecting(const SubmissionRecord& record) {
   if (record.collecting.empty()) return {};
   Markup list;
   for (const std::string& sentence : record.collecting) list += markup("<li>{}</li>\n", sentence);
-  return markup("<section class=\"part\"><h2>What was found in the submission</h2>\n<ul>{}</ul>"
-                "</section>\n",
-                list);
+  return markup(
+      "<section class=\"part\"><h2>What was found in the submission</h2>\n<ul>{}</ul>"
+      "</section>\n",
+      list);
 }
 
 Markup printed(const SubmissionRecord& record) {
@@ -139,7 +140,8 @@ Markup howItWasMade(const SubmissionRecord& record) {
   rows += term("contents", record.contents);
   rows += term("took", fmt::format("{:.0f} s", record.seconds));
   return markup(
-      "<section class=\"part\"><h2>How these marks were made</h2>\n<p>Each part was linked with the "
+      "<section class=\"part\"><h2>How these marks were made</h2>\n<p>Each part was linked with "
+      "the "
       "solutions of all others, so that no mistake is counted twice, and asked with random inputs. "
       "The same seed gives the same marks, on any number of threads:</p>\n"
       "<pre tabindex=\"0\"><code>./pathmark grade {} --seed {}</code></pre>\n"

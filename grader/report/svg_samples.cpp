@@ -36,8 +36,8 @@ struct Direction {
 };
 
 std::optional<Direction> directionOf(const std::array<float, 3>& v) {
-  const double length = std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]),
-                                   static_cast<double>(v[2]));
+  const double length =
+      std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
   if (!std::isfinite(length) || length == 0.0) return std::nullopt;
   return Direction{v[0] / length, v[1] / length, v[2] / length};
 }
@@ -144,13 +144,12 @@ Markup samplePlot(const SampleRecord& samples) {
   std::string words = fmt::format("{} samples", samples.yours.size());
   if (!samples.inputs.empty()) words += fmt::format(", {}", samples.inputs);
   if (places.outside > 0)
-    words += fmt::format("; {} {}, drawn as crosses", places.outside,
-                         samples.domain == SampleDomain::kHemisphere ? "below the horizon"
-                                                                     : "outside of the shape");
+    words += fmt::format(
+        "; {} {}, drawn as crosses", places.outside,
+        samples.domain == SampleDomain::kHemisphere ? "below the horizon" : "outside of the shape");
   if (places.notFinite > 0) words += fmt::format("; {} without a direction", places.notFinite);
-  const char* rings = samples.domain == SampleDomain::kPlane
-                          ? ""
-                          : ". Equal areas are equal solid angles.";
+  const char* rings =
+      samples.domain == SampleDomain::kPlane ? "" : ". Equal areas are equal solid angles.";
   return markup(
       "<figure class=\"samples\"><div class=\"discs\">{}</div><figcaption>{}{}</figcaption>"
       "</figure>\n",
