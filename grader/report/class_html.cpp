@@ -125,14 +125,13 @@ Markup toLookAt(GradedClass graded) {
 Markup headline(GradedClass graded) {
   const std::vector<double> totals = totalsOf(graded);
   const std::size_t failed = graded.size() - totals.size();
-  std::string sentence =
-      fmt::format("Mean {:.1f}, median {:.1f}.", meanOf(totals), medianOf(totals));
+  std::string sentence = fmt::format("Mean {:.1f} and median {:.1f} of {} points.", meanOf(totals),
+                                     medianOf(totals), pointsText(largestTotal(graded)));
   if (failed > 0) sentence += fmt::format(" {} could not be graded.", failed);
   return markup(
       "<header class=\"top\">\n<p class=\"kicker\">Pathmark report</p>\n<h1>Class</h1>\n"
-      "<p class=\"score\"><strong>{}</strong> {}, of {} points each</p>\n<p>{}</p>\n</header>\n",
-      graded.size(), graded.size() == 1 ? "submission" : "submissions",
-      pointsText(largestTotal(graded)), sentence);
+      "<p class=\"score\"><strong>{}</strong> {}</p>\n<p>{}</p>\n</header>\n",
+      graded.size(), graded.size() == 1 ? "submission" : "submissions", sentence);
 }
 
 }  // namespace

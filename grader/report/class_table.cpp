@@ -12,7 +12,7 @@ namespace pathmark::report {
 
 namespace {
 
-constexpr std::size_t kWidth = 100, kShortestName = 12, kWords = 26;
+constexpr std::size_t kWidth = 100, kShortestName = 12, kLongestName = 24, kWords = 26;
 constexpr std::string_view kGap = "  ";
 
 constexpr std::string_view kGreen = "32", kRed = "31", kYellow = "33", kDim = "2", kBold = "1";
@@ -124,8 +124,9 @@ Widths widthsOf(const std::vector<Row>& rows) {
   }
   for (const Row& row : rows) longestName = std::max(longestName, columnsOf(row.name.text));
   taken += kGap.size();
-  const std::size_t room = kWidth - std::min(kWidth, taken + kWords);
-  widths.name = std::clamp(longestName, kShortestName, std::max(room, kShortestName));
+  const std::size_t room =
+      std::clamp(kWidth - std::min(kWidth, taken + kWords), kShortestName, kLongestName);
+  widths.name = std::clamp(longestName, kShortestName, room);
   widths.words = kWidth - std::min(kWidth - kShortestName, taken + widths.name);
   return widths;
 }
@@ -150,9 +151,8 @@ std::string lineOf(const Row& row, const Widths& widths, bool colour) {
 std::string classTable(GradedClass graded, bool colour) {
   if (graded.empty()) return "No submissions.\n";
   const std::vector<ClassPart> parts = partsOf(graded);
-  std::vector<Row> rows{heading(parts)};
+  std::vector<Row> rows{heading(parts), maxima(graded, parts)};
   for (const Graded& g : graded) rows.push_back(rowOf(g, parts));
-  rows.push_back(maxima(graded, parts));
   if (graded.size() > 1) rows.push_back(means(graded, parts));
   const Widths widths = widthsOf(rows);
   std::string table;

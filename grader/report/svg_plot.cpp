@@ -9,7 +9,7 @@ namespace {
 
 // Small units, so that text of 11 units can be read where a plot is as wide as a phone.
 constexpr double kWidth = 320.0, kHeight = 200.0;
-constexpr double kLeft = 46.0, kRight = 10.0, kTop = 10.0, kBottom = 36.0;
+constexpr double kLeft = 54.0, kRight = 18.0, kTop = 10.0, kBottom = 36.0;
 
 double niceStep(double range) {
   const double rough = range / 4.0, power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -87,7 +87,7 @@ Markup PlotFrame::axes() const {
       markup("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
              0.5 * (kLeft + right), kHeight - 6.0, x_.label);
   drawn += markup(
-      "<text class=\"label\" transform=\"translate(11 {:.1f}) rotate(-90)\" "
+      "<text class=\"label\" transform=\"translate(10 {:.1f}) rotate(-90)\" "
       "text-anchor=\"middle\">{}</text>",
       0.5 * (kTop + bottom), y_.label);
   return drawn;
