@@ -41,10 +41,10 @@ Markup smallPicture(const Graded& graded) {
   return {};
 }
 
-// Sorted by data-value; what has no points comes last.
+// Sorted by data-value; what has none comes last.
 Markup pointsCell(const rubric::PartMarks* marks, bool complete) {
   if (marks == nullptr || !complete)
-    return Markup{"<td class=\"number\" data-value=\"-1\">\u2013</td>"};
+    return Markup{"<td class=\"number\" data-value=\"\">\u2013</td>"};
   return markup("<td class=\"number\" data-value=\"{:.4f}\">{}{}</td>", marks->points,
                 pointsText(marks->points), pointsBar(marks->points, marks->outOf));
 }

@@ -36,7 +36,7 @@ Markup legend(double scale) {
       "<div class=\"legend\" role=\"img\" aria-label=\"Signed error: blue where yours is darker by "
       "up to {2}, white where it is equal, red where it is brighter\">"
       "<svg viewBox=\"0 0 {1} 4\" preserveAspectRatio=\"none\" aria-hidden=\"true\">{3}</svg>"
-      "<span>\u2212{0}, yours is darker</span><span>yours is brighter, +{0}</span></div>\n",
+      "<span>yours darker, \u2212{0}</span><span>+{0}, brighter</span></div>\n",
       end, 2 * kSteps + 1, end, steps);
 }
 
