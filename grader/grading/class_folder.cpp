@@ -56,6 +56,11 @@ ClassFolder::ClassFolder(fs::path folder, const RunAsked& asked) : folder_(std::
   fs::remove_all(folder_ / ".work", error);
 }
 
+ClassFolder::~ClassFolder() {
+  std::error_code ignored;
+  fs::remove_all(folder_ / ".work", ignored);
+}
+
 void ClassFolder::lock() {
   lock_ = FileDescriptor(
       open((folder_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));

@@ -33,6 +33,10 @@ class ClassFolder {
   // at work there, or if the folder was graded with another seed or other parts.
   ClassFolder(std::filesystem::path folder, const RunAsked& asked);
 
+  ~ClassFolder();
+  ClassFolder(const ClassFolder&) = delete;
+  ClassFolder& operator=(const ClassFolder&) = delete;
+
   const std::filesystem::path& path() const { return folder_; }
   std::uint64_t seed() const { return seed_; }
   const std::vector<int>& parts() const { return parts_; }

@@ -4,6 +4,7 @@
 //   Judge::judge  one submission
 #pragma once
 
+#include "host/confinement.h"
 #include "host/coursework_builder.h"
 #include "marking/pictures.h"
 #include "record/record.h"

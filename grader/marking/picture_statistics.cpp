@@ -60,13 +60,17 @@ Difference differenceIn(const Image& a, const Image& b, const Tile& tile, int ch
   return {sum.mean / pixels, sum.variance / (pixels * pixels)};
 }
 
-double meanOf(const Image& image, int channel) {
+double meanIn(const Image& image, const Tile& tile, int channel) {
   double sum = 0.0, pixels = 0.0;
-  forEachPixel(image, {0, 0, image.width, image.height}, channel, [&](std::size_t v) {
+  forEachPixel(image, tile, channel, [&](std::size_t v) {
     sum += double{image.rgb[v]};
     ++pixels;
   });
   return sum / pixels;
+}
+
+double meanOf(const Image& image, int channel) {
+  return meanIn(image, {0, 0, image.width, image.height}, channel);
 }
 
 double rootOf(double square) { return std::sqrt(std::max(square, 0.0)); }
@@ -117,12 +121,14 @@ record::Estimate efficiencyOver(const Measured& a, const Measured& b) {
   for (int channel = 0; channel < 3; ++channel) {
     const double dark = kDarkest * meanOf(b.image, channel);
     if (dark <= 0.0) continue;
-    for (std::size_t t = 0; t < tiles.size(); ++t)
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+      // Of the tile and not of the pixel, whose variance depends on the same noise as its value.
+      const double size = std::max(meanIn(b.image, tiles[t], channel), dark);
       forEachPixel(b.image, tiles[t], channel, [&](std::size_t v) {
-        const double size = std::max(double{b.image.rgb[v]}, dark);
         ofA[t] += varianceAt(a.image, v) / (size * size);
         ofB[t] += varianceAt(b.image, v) / (size * size);
       });
+    }
   }
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     sumA += ofA[t];

@@ -152,8 +152,7 @@ class Finder {
     std::vector<fs::path> archives;
     if (reader)
       for (const FolderEntry& entry : reader->list(kMostEntries))
-        if (entry.kind == EntryKind::kFile && !isHidden(entry.name) && isArchive(path / entry.name))
-          archives.push_back(path / entry.name);
+        if (isArchive(*reader, entry)) archives.push_back(path / entry.name);
     if (archives.size() == 1) {
       add(archives.front(), nameOf(path, false), true);
     } else if (archives.empty()) {

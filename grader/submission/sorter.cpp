@@ -45,6 +45,17 @@ bool isArchiveName(const std::string& name) {
          endsWith(name, ".gz") || endsWith(name, ".xz") || endsWith(name, ".zst");
 }
 
+bool isProjectFolder(const std::string& name) {
+  return std::find(kProjectFolders.begin(), kProjectFolders.end(), name) != kProjectFolders.end();
+}
+
+// "part3.cpp", "part3_lambertian (1).cpp"
+bool isNearMiss(const std::vector<std::string>& path) {
+  const std::string name = lowerCase(path.back());
+  return name.starts_with("part") && name.find(".cpp") != std::string::npos &&
+         std::none_of(path.begin(), path.end(), isProjectFolder);
+}
+
 // Names that scenes of any system can be written under, and that mean nothing to a shell.
 bool isPlain(const std::string& piece) {
   constexpr std::string_view kOthers = " ._-()+,";
@@ -128,9 +139,7 @@ void Sorter::take(const Entry& entry, const ReadEntry& read) {
                      joined(path.pieces)));
   } else {
     ++ignored_;
-    const std::string lower = lowerCase(name);
-    if (lower.starts_with("part") && lower.find(".cpp") != std::string::npos)
-      nearMisses_.push_back(joined(path.pieces));
+    if (isNearMiss(path.pieces)) nearMisses_.push_back(joined(path.pieces));
   }
 }
 
@@ -160,8 +169,7 @@ bool Sorter::belongsToTheProject(const Candidate& candidate) const {
     if (home.empty() || home.back() != "student" || partName(other.path.back()).empty()) continue;
     const std::size_t top = home.size() - 1;
     if (folder.size() > top && std::equal(home.begin(), home.end() - 1, folder.begin()) &&
-        std::find(kProjectFolders.begin(), kProjectFolders.end(), folder[top]) !=
-            kProjectFolders.end())
+        isProjectFolder(folder[top]))
       return true;
   }
   return false;

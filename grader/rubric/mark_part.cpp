@@ -1,0 +1,231 @@
+#include "rubric/mark_part.h"
+
+#include "rubric/consequence.h"
+#include "rubric/verdict_credit.h"
+#include "worker/contract.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace pathmark::rubric {
+
+namespace {
+
+using record::CheckRecord;
+using record::FunctionRecord;
+using record::Verdict;
+
+struct PartMarker {
+  const record::PartRecord& part;
+  const PartRubric& worth;
+  const Rubric& rubric;
+  std::vector<std::string>& toReview;
+  std::optional<Consequence> consequence = worstPicture(part.pictures, rubric);
+
+  MarkLine markFunction(const FunctionContract& contract, double outOf) const;
+  MarkLine markEfficiency(const std::vector<MarkLine>& functions) const;
+  void markWrong(const FunctionRecord& function, MarkLine& line) const;
+  void byConsequence(const std::string& what, double unseen, MarkLine& line) const;
+  double pricesOf(const FunctionRecord& function) const;
+  bool allHavePrices(const FunctionRecord& function) const;
+};
+
+bool isWrong(const CheckRecord& check) { return check.verdict == Verdict::kWrong; }
+
+std::string idsOfWrong(const FunctionRecord& function) {
+  std::vector<std::string> ids;
+  for (const CheckRecord& check : function.checks)
+    if (isWrong(check)) ids.push_back(check.id);
+  return ids.empty() ? "it is wrong" : fmt::format("wrong in {}", fmt::join(ids, ", "));
+}
+
+std::string blockerOf(const FunctionRecord& function) {
+  for (const CheckRecord& check : function.checks)
+    if (check.verdict == Verdict::kBlocked && !check.cause.empty()) return check.cause;
+  return "what it relies on must be right first";
+}
+
+// What the part says where it has no record of the function.
+FunctionRecord recordOf(const record::PartRecord& part, const FunctionContract& contract) {
+  for (const FunctionRecord& function : part.functions)
+    if (function.section == contract.section) return function;
+  FunctionRecord function;
+  function.section = contract.section;
+  function.name = contract.name;
+  // A part that was found right without its functions having been looked at is the grader's fault.
+  const bool says = part.verdict != Verdict::kOk && part.verdict != Verdict::kUndecided;
+  function.verdict = says ? part.verdict : Verdict::kInternalError;
+  return function;
+}
+
+// What the wrong checks cost that have a price.
+double PartMarker::pricesOf(const FunctionRecord& function) const {
+  double sum = 0.0;
+  for (const CheckRecord& check : function.checks)
+    if (isWrong(check) && worth.checks.contains(check.id)) sum += worth.checks.at(check.id);
+  return sum;
+}
+
+bool PartMarker::allHavePrices(const FunctionRecord& function) const {
+  bool anyWrong = false;
+  for (const CheckRecord& check : function.checks) {
+    if (isWrong(check) && !worth.checks.contains(check.id)) return false;
+    anyWrong = anyWrong || isWrong(check);
+  }
+  return anyWrong;
+}
+
+void PartMarker::markWrong(const FunctionRecord& function, MarkLine& line) const {
+  const double left = std::max(line.outOf - pricesOf(function), 0.0);
+  if (allHavePrices(function)) {
+    line.points = left;
+    line.reason = sentence(
+        fmt::format("{}, which costs {:.3g} points", idsOfWrong(function), line.outOf - left));
+    return;
+  }
+  byConsequence(idsOfWrong(function), rubric.withoutPicture, line);
+  line.points = std::min(line.points, left);
+}
+
+void PartMarker::byConsequence(const std::string& what, double unseen, MarkLine& line) const {
+  const double credit = std::min(consequence ? consequence->credit : unseen, rubric.wrongAtMost);
+  line.points = credit * line.outOf;
+  line.reason =
+      fmt::format("{} {} That earns {} of the points.", sentence(what),
+                  sentence(consequence ? consequence->words : "no picture shows what that does"),
+                  percent(credit));
+}
+
+MarkLine PartMarker::markFunction(const FunctionContract& contract, double outOf) const {
+  const FunctionRecord function = recordOf(part, contract);
+  MarkLine line{fmt::format("{} {}", contract.section, contract.name), 0.0, outOf, {}};
+  reviewVerdict(function.verdict, line.what, toReview);
+  if (const std::optional<VerdictCredit> known = creditOf(function.verdict, rubric)) {
+    line.points = known->credit * outOf;
+    line.reason = sentence(known->reason);
+  } else if (function.verdict == Verdict::kBlocked) {
+    byConsequence(fmt::format("it could not be checked: {}", blockerOf(function)), 0.0, line);
+  } else {
+    markWrong(function, line);
+  }
+  if (line.points == line.outOf) line.reason = {};
+  return line;
+}
+
+// An estimator of something else may well be less noisy: efficiency counts as far as the part is
+// right.
+MarkLine PartMarker::markEfficiency(const std::vector<MarkLine>& functions) const {
+  MarkLine line{"efficiency", 0.0, worth.efficiency, {}};
+  double points = 0.0, outOf = 0.0;
+  for (const MarkLine& function : functions) points += function.points, outOf += function.outOf;
+  const double right = points == outOf ? 1.0 : points / outOf;
+  const std::optional<Economy> economy = worstEfficiency(part.pictures, rubric);
+  if (!economy && right > 0.0)
+    toReview.push_back(
+        fmt::format("Part {}: its efficiency was not measured, which costs no points.", part.part));
+  line.points = right * (economy ? economy->credit : 1.0) * line.outOf;
+  if (line.points == line.outOf) return line;
+  if (economy) line.reason = sentence(economy->words);
+  if (right < 1.0) {
+    if (!line.reason.empty()) line.reason += ' ';
+    line.reason += fmt::format("Efficiency counts as far as the functions are right, which is {}.",
+                               percent(right));
+  }
+  return line;
+}
+
+void reviewEfficiency(const record::PartRecord& part, const Rubric& rubric,
+                      std::vector<std::string>& toReview) {
+  for (const record::PictureRecord& picture : part.pictures)
+    if (picture.efficiency && picture.efficiency->low > rubric.reviewAbove)
+      toReview.push_back(fmt::format(
+          "Part {}: in {} it is {:.2g} ({:.2g} to {:.2g}) times as efficient as the solutions, "
+          "which is hard to believe; where does it have its values from?",
+          part.part, picture.scene, picture.efficiency->value, picture.efficiency->low,
+          picture.efficiency->high));
+}
+
+// Whether all parts were looked at, so that what is not there was not handed in.
+bool isComplete(const record::SubmissionRecord& record) {
+  return !record.internalError() && record.parts.size() >= parts().size();
+}
+
+}  // namespace
+
+std::vector<MarkLine> markPart(const record::PartRecord& part, const PartRubric& worth,
+                               const Rubric& rubric, std::vector<std::string>& toReview) {
+  const PartMarker marker{part, worth, rubric, toReview};
+  std::vector<std::pair<const FunctionContract*, double>> functions;
+  double sum = 0.0;
+  for (const FunctionContract& function : contract()) {
+    if (function.part != worth.part) continue;
+    const auto weight = worth.weights.find(std::string(function.section));
+    functions.emplace_back(&function, weight == worth.weights.end() ? 1.0 : weight->second);
+    sum += functions.back().second;
+  }
+  std::vector<MarkLine> lines;
+  for (const auto& [function, weight] : functions)
+    lines.push_back(
+        marker.markFunction(*function, (worth.points - worth.efficiency) * weight / sum));
+  if (worth.efficiency > 0.0) lines.push_back(marker.markEfficiency(lines));
+  reviewEfficiency(part, rubric, toReview);
+  return lines;
+}
+
+std::vector<MarkLine> markScenes(const record::SubmissionRecord& record, const PartRubric& worth,
+                                 const Rubric& rubric, std::vector<std::string>& toReview) {
+  if (record.scenes.empty() && !isComplete(record)) return {};
+  MarkLine best{"a scene", -1.0, worth.points, "There is no scene in scenes/."};
+  for (const record::SceneRecord& scene : record.scenes) {
+    // A scene of which only the rendering was blocked is as good as it can be without the parts.
+    const bool blocked = scene.verdict == Verdict::kBlocked;
+    const VerdictCredit credit = creditOf(blocked ? Verdict::kOk : scene.verdict, rubric)
+                                     .value_or(VerdictCredit{0.0, "it cannot be rendered"});
+    reviewVerdict(scene.verdict, scene.file, toReview);
+    MarkLine line{scene.file, credit.credit * worth.points, worth.points, {}};
+    if (credit.credit < 1.0)
+      line.reason = sentence(
+          fmt::format("{}: {}", scene.file, scene.message.empty() ? credit.reason : scene.message));
+    if (line.points > best.points) best = line;
+  }
+  best.points = std::max(best.points, 0.0);
+  return {best};
+}
+
+std::vector<MarkLine> markWhole(const record::SubmissionRecord& record, const PartRubric& worth,
+                                const Rubric& rubric, std::vector<std::string>& toReview) {
+  if (record.pictures.empty() && record.images.empty() && !isComplete(record)) return {};
+  MarkLine line{"pictures of all parts together", 0.0, worth.points, {}};
+  const std::optional<Consequence> seen = worstPicture(record.pictures, rubric);
+  Consequence worst =
+      seen.value_or(Consequence{record.images.empty() ? 0.0 : 1.0, "there are no pictures"});
+  const auto lower = [&](double credit, const std::string& words) {
+    if (credit < worst.credit) worst = {credit, words};
+  };
+  for (const CheckRecord& check : record.images) {
+    reviewVerdict(check.verdict, check.id, toReview);
+    const std::optional<VerdictCredit> known = creditOf(check.verdict, rubric);
+    if (known) {
+      lower(known->credit, known->reason);
+    } else if (seen) {
+      lower(rubric.wrongAtMost, fmt::format("{}; wrong in {}", seen->words, check.id));
+    } else if (check.verdict == Verdict::kBlocked) {
+      lower(0.0, check.cause);
+    } else {
+      lower(std::min(rubric.withoutPicture, rubric.wrongAtMost),
+            fmt::format("wrong in {}", check.id));
+    }
+  }
+  const bool failed = std::any_of(record.images.begin(), record.images.end(), [](const auto& c) {
+    return c.verdict == Verdict::kInternalError;
+  });
+  line.points = failed ? line.outOf : worst.credit * line.outOf;
+  if (line.points < line.outOf)
+    line.reason = fmt::format("{} That earns {} of the points.", sentence(worst.words),
+                              percent(worst.credit));
+  return {line};
+}
+
+}  // namespace pathmark::rubric

@@ -1,0 +1,147 @@
+// What words of the command line mean, and what submissions are called.
+#include "support/collecting.h"
+
+#include "submission/names.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pathmark::submission {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ArchiveKind;
+using test::MadeArchive;
+
+using Names = std::vector<std::string>;
+
+class Finding : public testing::Test {
+ protected:
+  void write(const std::string& name) { test::writeBytes(folder_ / name, "x"); }
+  void archive(const std::string& name, ArchiveKind kind = ArchiveKind::kZip) {
+    fs::create_directories((folder_ / name).parent_path());
+    MadeArchive().file("part3_lambertian.cpp").write(kind, folder_ / name);
+  }
+  FoundSubmissions find(const std::vector<std::string>& words) {
+    std::vector<fs::path> paths;
+    for (const std::string& word : words) paths.push_back(folder_ / word);
+    return findSubmissions(paths);
+  }
+  Names namesOf(const std::vector<std::string>& words) {
+    Names all;
+    for (const Submission& one : find(words).submissions) all.push_back(one.name);
+    return all;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Finding, AFolderWithAnExpectedFileIsOneSubmission) {
+  write("direct/part3_lambertian.cpp");
+  write("project/student/part3_lambertian.cpp");
+  write("project/framework/readme.txt");
+  write("project/grader/readme.txt");
+  write("wrapped/a/b/part3_lambertian.cpp");
+  write("wrapped/readme.txt");
+  EXPECT_EQ(namesOf({"direct", "project", "wrapped"}), (Names{"direct", "project", "wrapped"}));
+}
+
+TEST_F(Finding, AnArchiveIsOneSubmission) {
+  archive("alice.zip");
+  archive("bob.tar.gz", ArchiveKind::kTarGz);
+  archive("carol", ArchiveKind::kZip);  // known by its first bytes
+  const FoundSubmissions found = find({"alice.zip", "bob.tar.gz", "carol"});
+  ASSERT_EQ(found.submissions.size(), 3u);
+  EXPECT_EQ(found.submissions[0].name, "alice");
+  EXPECT_EQ(found.submissions[1].name, "bob");
+  EXPECT_EQ(found.submissions[2].name, "carol");
+  for (const Submission& one : found.submissions) {
+    EXPECT_TRUE(one.isArchive);
+    EXPECT_EQ(collect(one).files.size(), 1u);
+  }
+}
+
+TEST_F(Finding, AFolderOfSubmissionsIsAClass) {
+  write("class/task 10/part0_warmup.cpp");
+  write("class/task 9/deeper/part0_warmup.cpp");
+  archive("class/task 2.zip");
+  archive("class/moodle_7_file/handed in.zip");
+  write("class/notes.txt");
+  write("class/empty/readme.txt");
+  write("class/.hidden/part0_warmup.cpp");
+  const FoundSubmissions found = find({"class"});
+  Names all;
+  for (const Submission& one : found.submissions) all.push_back(one.name);
+  EXPECT_EQ(all, (Names{"moodle_7_file", "task_2", "task_9", "task_10"}));
+  EXPECT_EQ(found.remarks.size(), 2u);
+}
+
+TEST_F(Finding, AFolderBesideAnArchiveIsAClass) {
+  write("class/alice/part0_warmup.cpp");
+  archive("class/bob.zip");
+  EXPECT_EQ(namesOf({"class"}), (Names{"alice", "bob"}));
+}
+
+TEST_F(Finding, WhatIsNoSubmissionIsNamedAndStopsNothing) {
+  write("notes.txt");
+  write("empty/readme.txt");
+  archive("two/work.zip");
+  archive("two/work again.zip");
+  write("good/part0_warmup.cpp");
+  fs::create_directories(folder_ / "nothing");
+  fs::create_directories(folder_ / "class");
+  fs::rename(folder_ / "two", folder_ / "class/two");
+  fs::create_directory_symlink(folder_ / "good", folder_ / "class/link");
+  const FoundSubmissions found = find({"notes.txt", "gone", "nothing", "empty", "class", "good"});
+  ASSERT_EQ(found.submissions.size(), 1u);
+  EXPECT_EQ(found.submissions[0].name, "good");
+  std::string all;
+  for (const std::string& remark : found.remarks) all += remark + "\n";
+  for (const char* words :
+       {"notes.txt\" was left out: a submission is", "gone: there is no such file",
+        "nothing\" was left out: there is no submission in it",
+        "two\" was left out: there are 2 archives in it",
+        "link\" was left out: links within a class are not followed"})
+    EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
+}
+
+TEST_F(Finding, TheSamePlaceCountsOnce) {
+  write("a/part0_warmup.cpp");
+  EXPECT_EQ(namesOf({"a", "a/../a", "a"}), Names{"a"});
+}
+
+TEST_F(Finding, NamesAreUniqueAndSafe) {
+  write("1/work/part0_warmup.cpp");
+  write("2/work/part0_warmup.cpp");
+  archive("3/Work.zip");
+  write("4/work-2/part0_warmup.cpp");
+  write("5/\xc3\x9c\xc3\xa9 <b>/part0_warmup.cpp");
+  const Names all =
+      namesOf({"1/work", "2/work", "3/Work.zip", "4/work-2", "5/\xc3\x9c\xc3\xa9 <b>"});
+  Names lower;
+  for (const std::string& name : all) lower.push_back(lowerCase(name));
+  std::sort(lower.begin(), lower.end());
+  EXPECT_EQ(lower, (Names{"_b_", "work", "work-2", "work-2-2", "work-3"}));
+}
+
+TEST(SubmissionNames, AreSafeInFoldersTablesAndTerminals) {
+  EXPECT_EQ(safeName("Ada Lovelace (1)"), "Ada_Lovelace_1_");
+  EXPECT_EQ(safeName("Ada_-x"), "Ada_-x");
+  for (const char* empty : {"", ".", "..", "---", "\xff\xff", "/"})
+    EXPECT_EQ(safeName(empty), "submission") << empty;
+  EXPECT_EQ(safeName("../../etc"), "_.._etc");
+  EXPECT_EQ(safeName("-rf"), "rf");
+  EXPECT_EQ(safeName(std::string(500, 'a')).size(), kLongestName);
+  UniqueNames names;
+  EXPECT_EQ(names.unique(std::string(80, 'a')).size(), kLongestName);
+  EXPECT_EQ(names.unique(std::string(80, 'a')), std::string(78, 'a') + "-2");
+}
+
+TEST(SubmissionNames, AreInNaturalOrder) {
+  Names all{"b", "task10", "a", "task9", "Task2", "task 1", "task010", "task"};
+  std::sort(all.begin(), all.end(), naturalLess);
+  EXPECT_EQ(all, (Names{"a", "b", "task", "task 1", "Task2", "task9", "task010", "task10"}));
+}
+
+}  // namespace
+}  // namespace pathmark::submission
