@@ -39,11 +39,13 @@ std::string outputOf(const SubmissionRecord& record, const rubric::PartMarks& pa
 
 Json testOf(const SubmissionRecord& record, const rubric::PartMarks& part, std::size_t number) {
   const rubric::MarkLine& line = part.lines[number];
+  // Out of nothing: rounding is no failure.
+  const bool full = line.outOf == 0.0 || line.points >= line.outOf;
   return Json{{"name", cleanLine(fmt::format("{}: {}", part.title, line.what))},
               {"number", fmt::format("{}.{}", part.part, number + 1)},
               {"score", line.points},
               {"max_score", line.outOf},
-              {"status", line.points >= line.outOf ? "passed" : "failed"},
+              {"status", full ? "passed" : "failed"},
               {"output", outputOf(record, part, line)},
               {"output_format", "text"},
               {"visibility", "visible"}};

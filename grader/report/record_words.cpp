@@ -112,4 +112,11 @@ std::string pointsText(double points) {
   return text == "-0" ? "0" : text;
 }
 
+std::string lineText(const rubric::MarkLine& line) {
+  if (line.outOf == 0.0)
+    return fmt::format("{}{}", line.points < 0.0 ? "\u2212" : "+",
+                       pointsText(std::abs(line.points)));
+  return fmt::format("{} / {}", pointsText(line.points), pointsText(line.outOf));
+}
+
 }  // namespace pathmark::report

@@ -8,6 +8,7 @@
 //   fieldsOf         what to tell of a check, in order
 //   functionOf       the function that a line of the marks is about
 //   pointsText       "12.5"
+//   lineText         "2.5 / 4"
 #pragma once
 
 #include "record/record.h"
@@ -51,5 +52,8 @@ const record::FunctionRecord* functionOf(const record::SubmissionRecord& record,
 
 // At most two places behind the point, and none that are 0.
 std::string pointsText(double points);
+
+// Only the points, with their sign, of a line that is out of nothing, such as rounding.
+std::string lineText(const rubric::MarkLine& line);
 
 }  // namespace pathmark::report

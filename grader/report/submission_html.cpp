@@ -53,6 +53,7 @@ std::vector<Loss> lossesOf(const PartView& view) {
   if (view.marks == nullptr) return losses;
   bool oneReason = view.marks->points <= 0.0;
   for (const rubric::MarkLine& line : view.marks->lines) {
+    if (line.outOf == 0.0) continue;
     oneReason = oneReason && line.reason == view.marks->lines.front().reason;
     if (line.points < line.outOf)
       losses.push_back({view.part, line.what, line.reason, line.outOf - line.points});

@@ -100,6 +100,7 @@ TEST(SubmissionHtml, TellsEverythingThatIsKnown) {
                             "handouts/part3_lambertian.md, section 3.3",
                             "./pathmark check 3.3/samples --seed 4711",
                             "was not declared in this scope",
+                            "\u22120.25</td>",
                             "segmentation fault",
                             "16 % (15 to 17 %)",
                             "0.46 (0.41 to 0.52)",

@@ -222,6 +222,8 @@ PartMarks partMarks(const PartRecord& part) {
   if (part.part == 5)
     marks.lines.push_back(
         {"efficiency", 1.5, 4.0, "0.46 (0.41 to 0.52) of the solutions'; full points from 0.8 on"});
+  if (part.part == 0 && part.verdict != Verdict::kOk)
+    marks.lines.push_back({"rounding", -0.25, 0.0, "the points of a part are multiples of 0.5"});
   for (const MarkLine& line : marks.lines) marks.points += line.points, marks.outOf += line.outOf;
   return marks;
 }
