@@ -4,7 +4,6 @@
 #include "rubric/rubric.h"
 #include "scene/json_object.h"
 #include "scene/json_text.h"
-#include "scene/load_scene.h"
 #include "scene/read_text.h"
 #include "worker/contract.h"
 
@@ -236,18 +235,14 @@ std::filesystem::path defaultRubric() {
 }
 
 Rubric readRubric(const std::filesystem::path& file) {
-  try {
-    const SceneSource source{file, readText(file, "a rubric is a JSON file")};
-    checkSyntax(source);
-    json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
-    const Place top(source);
-    Rubric rubric = readTop(value, top);
-    value.erase("$schema");
-    rubric.hash = contentHash(value.dump());  // without spaces and comments, keys sorted
-    return rubric;
-  } catch (const SceneError& error) {
-    throw RubricError(error.what());
-  }
+  const SceneSource source{file, readText(file, "a rubric is a JSON file")};
+  checkSyntax(source);
+  json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
+  const Place top(source);
+  Rubric rubric = readTop(value, top);
+  value.erase("$schema");
+  rubric.hash = contentHash(value.dump());  // without spaces and comments, keys sorted
+  return rubric;
 }
 
 }  // namespace pathmark::rubric

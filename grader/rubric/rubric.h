@@ -15,17 +15,10 @@
 
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace pathmark::rubric {
-
-// One sentence for a person: file, line, JSON pointer, what was found, what is allowed.
-class RubricError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 // Parts are numbered as in Marks.
 inline constexpr int kScenesPart = 7, kWholePart = 8;
@@ -38,7 +31,7 @@ struct PartRubric {
   // By section of the handouts, "3.3"; 1 for a function that is not named.
   std::map<std::string, double> weights;
 
-  // By id, "3.3/repeatable": what is lost if nothing but such checks of a function fails.
+  // By id, "2.6/repeatable": what is lost if nothing but such checks of a function fails.
   std::map<std::string, double> checks;
 };
 
@@ -72,7 +65,7 @@ struct Rubric {
 
 std::filesystem::path defaultRubric();  // the file rubric.json beside this one
 
-// Throws RubricError.
+// Throws SceneError, as for a scene: file, line, JSON pointer, what was found, what is allowed.
 Rubric readRubric(const std::filesystem::path& file);
 
 inline const std::string& rubricHash(const Rubric& rubric) { return rubric.hash; }
