@@ -342,6 +342,24 @@ LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int>
   return {{}, linkFailure(build.folder, messages)};
 }
 
+LinkedWorker linkWithOthers(const CourseworkBuild& build, std::span<const int> parts,
+                            const CourseworkBuild& others) {
+  const std::vector<std::string> framework = frameworkObjects();
+  std::vector<fs::path> objects;
+  for (const PartBuild& part : build.parts) {
+    const bool own = std::find(parts.begin(), parts.end(), part.part.part) != parts.end();
+    const CourseworkBuild& from = own ? build : others;
+    const PartBuild& chosen = from.parts.at(static_cast<std::size_t>(part.part.part));
+    if (!chosen.compiled)
+      return {{}, fmt::format("{} does not compile.", displayPath(chosen.source))};
+    objects.push_back(chosen.object);
+  }
+  const fs::path folder = linkedFolder(framework, objects);
+  const std::string messages = linkInto(folder, framework, objects, Linking::kStrict);
+  if (messages.empty()) return {folder / "worker", {}};
+  return {{}, linkFailure(build.folder, messages)};
+}
+
 LinkedWorker linkForRecording(const CourseworkBuild& build) {
   if (!build.complete()) return {{}, build.failure()};
   std::vector<std::string> framework = frameworkObjects();

@@ -51,6 +51,11 @@ struct LinkedWorker {
 // others: what is wrong in another part cannot show in it. Throws as buildCoursework does.
 LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int> parts);
 
+// A worker with some parts of one coursework, and all others of another one, such as the solutions.
+// Throws as buildCoursework does.
+LinkedWorker linkWithOthers(const CourseworkBuild& build, std::span<const int> parts,
+                            const CourseworkBuild& others);
+
 // A worker that also says what happens on the paths (WorkerProcess::recordPaths): the same objects,
 // and more of the framework's, through which the linker leads the calls between them. Throws as
 // buildCoursework does.

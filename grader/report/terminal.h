@@ -13,6 +13,7 @@
 
 #include "checks/results.h"
 #include "checks/runner.h"
+#include "report/field.h"
 
 #include <filesystem>
 #include <string>
@@ -41,12 +42,7 @@ std::string whatIsNext(const checks::CourseworkResults& results,
 // Of a function that is blocked: by what.
 std::string blockedWords(const checks::FunctionResult& function);
 
-// What was found by a check that did not pass, in the order in which it is told: "where",
-// "expected", "got", ...; those that are known.
-struct Field {
-  std::string_view name;
-  std::string value;
-};
+// What was found by a check that did not pass, in the order in which it is told; what is known.
 std::vector<Field> fieldsOf(const checks::CheckResult& result);
 
 // "./pathmark check 3.3/samples --seed 1".

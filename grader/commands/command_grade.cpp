@@ -1,0 +1,218 @@
+// pathmark grade: from what a class has handed in to marks with reasons.
+#include "commands/commands.h"
+#include "commands/grade.h"
+#include "grading/class_folder.h"
+#include "grading/class_run.h"
+#include "grading/write_reports.h"
+#include "host/display_path.h"
+#include "host/exit_code.h"
+#include "host/interrupt.h"
+#include "host/options.h"
+#include "host/progress_bar.h"
+#include "host/session.h"
+#include "rubric/rubric.h"
+#include "sandbox/sandbox.h"
+#include "submission/submission.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string timeInWords(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", std::ceil(seconds));
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", std::ceil(seconds / 60.0));
+  return fmt::format("{:.0f} h {:02.0f} min", std::floor(seconds / 3600.0),
+                     std::floor(std::fmod(seconds, 3600.0) / 60.0));
+}
+
+grading::RunAsked runAsked(const GradeArguments& arguments) {
+  grading::RunAsked asked{arguments.seed, {}, arguments.only.empty()};
+  for (const PartContract& part : parts()) {
+    const std::string number = std::to_string(part.part);
+    if (arguments.only.empty() || arguments.only == number || arguments.only == "part" + number)
+      asked.parts.push_back(part.part);
+  }
+  if (asked.parts.empty())
+    throw UsageError(fmt::format("--only: found {}, allowed is a part: part0 to part{}.",
+                                 arguments.only, parts().back().part));
+  return asked;
+}
+
+std::vector<submission::Submission> findAll(const GradeArguments& arguments) {
+  if (arguments.what.empty()) return {};
+  const std::vector<fs::path> paths(arguments.what.begin(), arguments.what.end());
+  const submission::FoundSubmissions found = submission::findSubmissions(paths);
+  for (const std::string& remark : found.remarks) fmt::print(stderr, "{}\n", remark);
+  if (found.submissions.empty())
+    throw UsageError(
+        "There is no submission here: it is a folder or an archive with part*.cpp files, or a "
+        "folder of such.");
+  return found.submissions;
+}
+
+// Says in a line of its own what is done; on a terminal a bar stands below.
+class Screen {
+ public:
+  explicit Screen(std::size_t all) : all_(all) {}
+
+  grading::ClassEvents events() {
+    grading::ClassEvents events;
+    events.onProgress = [this](const grading::ClassProgress& p) {
+      bar_.show(p.fraction, p.secondsLeft > 0.0 ? fmt::format("{} of {}, {} left", p.done, p.all,
+                                                              timeInWords(p.secondsLeft))
+                                                : fmt::format("{} of {}", p.done, p.all));
+      left_ = p.secondsLeft;
+      return !interrupted();
+    };
+    events.onDone = [this](const record::SubmissionRecord& record, bool known) {
+      tell(record, known);
+    };
+    return events;
+  }
+
+  void clear() { bar_.clear(); }
+  bool anyInternalError() const { return internalError_; }
+
+ private:
+  void tell(const record::SubmissionRecord& record, bool known) {
+    ++done_;
+    internalError_ = internalError_ || record.internalError();
+    if (known) return;
+    std::string line =
+        fmt::format("[{}/{}] {}: {:.1f} s", done_, all_, record.name, record.seconds);
+    if (record.internalError()) line += "; " + record.failure;
+    if (done_ < all_ && left_ > 0.0) line += fmt::format("; {} left", timeInWords(left_));
+    bar_.printAbove(line + "\n");
+  }
+
+  ProgressBar bar_{"grade"};
+  std::size_t all_, done_ = 0;
+  double left_ = 0.0;
+  bool internalError_ = false;
+};
+
+rubric::Rubric readRubricFor(const GradeArguments& arguments) {
+  try {
+    return rubric::readRubric(arguments.rubric.empty() ? rubric::defaultRubric()
+                                                       : fs::path(arguments.rubric));
+  } catch (const rubric::RubricError& e) {
+    throw UsageError(e.what());
+  }
+}
+
+std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
+  const auto sandbox = sandbox::openSandbox(arguments.sandbox, arguments.unsafe);
+  if (!sandbox)
+    fmt::print(stderr,
+               "Without a sandbox: submissions can read and change what you can (--unsafe).\n");
+  return sandbox;
+}
+
+}  // namespace
+
+int grade(const GradeArguments& arguments) {
+  const rubric::Rubric rubric = readRubricFor(arguments);
+  const grading::RunAsked asked = runAsked(arguments);
+  const std::vector<submission::Submission> submissions = findAll(arguments);
+  const fs::path out = !arguments.out.empty()
+                           ? arguments.out
+                           : (arguments.only.empty() ? "grades" : "grades-" + arguments.only);
+  if (submissions.empty() && !fs::exists(out / "run.json"))
+    throw UsageError(
+        "Name what is to be graded: folders or archives with part*.cpp files, or a folder of "
+        "such.");
+  const auto sandbox = submissions.empty() ? nullptr : openSandboxFor(arguments);
+  const grading::ClassFolder folder(out, asked);
+
+  int code = kSuccess;
+  if (!submissions.empty()) {
+    const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+    grading::ClassRunOptions options;
+    options.jobs = std::min<unsigned>(arguments.jobs != 0 ? arguments.jobs : processors,
+                                      static_cast<unsigned>(submissions.size()));
+    options.threads = std::max(1u, processors / options.jobs);
+    options.secondsAtMost = arguments.secondsAtMost;
+    Screen screen(submissions.size());
+    grading::gradeClass(submissions, folder, sandbox, options, screen.events());
+    screen.clear();
+    if (screen.anyInternalError()) code = kMachineFault;
+  }
+  const grading::ClassReports reports = grading::writeReports(folder, rubric);
+  fmt::print("{}", reports.table(isatty(STDOUT_FILENO) == 1));
+  fmt::print("\nReports: {}; marks: {}; seed {}\n", displayPath(folder.path() / "report.html"),
+             displayPath(folder.path() / "marks.csv"), folder.seed());
+  if (interrupted()) {
+    fmt::print(stderr, "Interrupted; the same command goes on from here.\n");
+    return kInterrupted;
+  }
+  return code;
+}
+
+void addGradeCommand(CLI::App& app, CommandAction& action) {
+  const auto arguments = std::make_shared<GradeArguments>();
+  CLI::App* command =
+      app.add_subcommand("grade", "Give marks, with reasons, to a class's submissions");
+  command
+      ->add_option("submission", arguments->what,
+                   "Folders, zips or tars with part*.cpp files, or folders of such; none: only "
+                   "make marks and reports anew, of what was graded before")
+      ->type_name("SUBMISSION");
+  command
+      ->add_option("--out", arguments->out,
+                   "Where records, marks and reports go (grades/); what is graded there already is "
+                   "not graded again")
+      ->type_name("DIR");
+  takesWholeNumber(command->add_option("--seed", arguments->seed,
+                                       "Of all random inputs; by default one that nobody can "
+                                       "guess, which the folder keeps"),
+                   0, std::int64_t{1} << 53);
+  takesWholeNumber(command->add_option("--jobs", arguments->jobs,
+                                       "Submissions that are graded at the same time; one for each "
+                                       "processor by default"),
+                   1, 1024);
+  command
+      ->add_option("--rubric", arguments->rubric,
+                   "Points and bands (grader/rubric/rubric.json); records are marked anew")
+      ->type_name("FILE");
+  command->add_option("--only", arguments->only, "Only this part, without pictures of the whole")
+      ->type_name("PART");
+  takesSeconds(command->add_option("--time-limit", arguments->secondsAtMost,
+                                   "For a whole submission (600); what is not done by then counts "
+                                   "as too slow"),
+               1.0, 86400.0);
+  command
+      ->add_option("--sandbox", arguments->sandbox,
+                   "bubblewrap or landlock; by default the stronger one that works")
+      ->type_name("TIER");
+  command->add_flag("--unsafe", arguments->unsafe,
+                    "Also where no sandbox works: submissions can then do whatever you can");
+  command->footer(
+      "Examples:\n"
+      "  ./pathmark grade submissions/\n"
+      "  ./pathmark grade a.zip b.tar.gz c/ --out week3 --only part3\n"
+      "  ./pathmark grade submissions/ --jobs 1 --seed 7\n"
+      "  ./pathmark grade --out grades --rubric mine.json     (marks anew, nothing is run)\n\n"
+      "Ctrl-C keeps what is done; the same command goes on.\n"
+      "Exit code: 0 if all were graded, whatever their marks; 2 for a wrong command line; 3 if the "
+      "grader or the machine failed at one; 130 if interrupted.");
+  command->callback([arguments, &action] { action = [arguments] { return grade(*arguments); }; });
+}
+
+}  // namespace pathmark

@@ -1,0 +1,166 @@
+#include "grading/class_folder.h"
+
+#include "film/atomic_file.h"
+#include "host/display_path.h"
+#include "host/session.h"
+#include "record/record_json.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+namespace pathmark::grading {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kRunFormat = 1;
+
+std::string readFile(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+// Nobody who is graded can guess it. It fits into the numbers of every JSON reader.
+std::uint64_t newSeed() {
+  std::random_device device;
+  constexpr int kBits = 53;
+  return ((std::uint64_t{device()} << 32) | device()) >> (64 - kBits);
+}
+
+std::string partsInWords(const std::vector<int>& parts, bool whole) {
+  return whole ? "everything" : fmt::format("part {} only", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+ClassFolder::ClassFolder(fs::path folder, const RunAsked& asked) : folder_(std::move(folder)) {
+  std::error_code error;
+  fs::create_directories(folder_ / "submissions", error);
+  if (error)
+    throw UsageError(
+        fmt::format("{}: this folder cannot be made: {}.", displayPath(folder_), error.message()));
+  lock();
+  readOrWriteRun(asked);
+  fs::remove_all(folder_ / ".work", error);
+}
+
+ClassFolder::~ClassFolder() {
+  std::error_code ignored;
+  fs::remove_all(folder_ / ".work", ignored);
+}
+
+void ClassFolder::lock() {
+  lock_ = FileDescriptor(
+      open((folder_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
+  if (lock_.get() < 0)
+    throw UsageError(fmt::format("{}: nothing can be written here: {}.", displayPath(folder_),
+                                 std::generic_category().message(errno)));
+  if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0)
+    throw UsageError(
+        fmt::format("{}: another run is grading into this folder; wait for it, or "
+                    "give another folder with --out.",
+                    displayPath(folder_)));
+}
+
+void ClassFolder::readOrWriteRun(const RunAsked& asked) {
+  const fs::path file = folder_ / "run.json";
+  const Json known = Json::parse(readFile(file), nullptr, false);
+  if (known.is_object() && known.contains("seed") && known.contains("parts")) {
+    try {
+      seed_ = known.at("seed");
+      parts_ = known.at("parts").get<std::vector<int>>();
+      whole_ = known.at("whole");
+    } catch (const Json::exception&) {
+      throw UsageError(fmt::format("{}: this file is damaged. Give another folder with --out.",
+                                   displayPath(file)));
+    }
+    if (asked.seed && *asked.seed != seed_)
+      throw UsageError(
+          fmt::format("{} was graded with seed {}, and marks of different seeds do "
+                      "not belong together: leave --seed out, or give another folder "
+                      "with --out.",
+                      displayPath(folder_), seed_));
+    if (asked.parts != parts_ || asked.whole != whole_)
+      throw UsageError(
+          fmt::format("In {} {} was graded, and now {} is asked for: give another "
+                      "folder with --out.",
+                      displayPath(folder_), partsInWords(parts_, whole_),
+                      partsInWords(asked.parts, asked.whole)));
+    return;
+  }
+  if (!names().empty())
+    throw UsageError(
+        fmt::format("{}: there are records here, but run.json, which tells their "
+                    "seed, is missing or damaged: give another folder with --out.",
+                    displayPath(folder_)));
+  seed_ = asked.seed ? *asked.seed : newSeed();
+  parts_ = asked.parts;
+  whole_ = asked.whole;
+  writeFileAtomically(
+      file,
+      Json{{"format", kRunFormat}, {"seed", seed_}, {"parts", parts_}, {"whole", whole_}}.dump(1) +
+          "\n");
+}
+
+std::vector<std::string> ClassFolder::names() const {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_ / "submissions", error))
+    if (fs::exists(entry.path() / "record.json")) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path ClassFolder::folderOf(const std::string& name) const {
+  return folder_ / "submissions" / name;
+}
+
+std::optional<record::SubmissionRecord> ClassFolder::find(const std::string& name) const {
+  const fs::path file = folderOf(name) / "record.json";
+  if (!fs::exists(file)) return std::nullopt;
+  try {
+    return record::readRecord(file);
+  } catch (const record::RecordError&) {
+    return std::nullopt;
+  }
+}
+
+std::string ClassFolder::picture(const std::string& name, const std::string& file) const {
+  return readFile(folderOf(name) / file);
+}
+
+fs::path ClassFolder::scratch(const std::string& name) const {
+  const fs::path folder = folder_ / ".work" / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+void ClassFolder::removeScratch(const std::string& name) const {
+  std::error_code ignored;
+  fs::remove_all(folder_ / ".work" / name, ignored);
+}
+
+void ClassFolder::put(const Judged& judged) const {
+  const std::string& name = judged.record.name;
+  const fs::path made = scratch(name + ".new"), place = folderOf(name);
+  fs::create_directories(made / "pictures");
+  for (const auto& [file, bytes] : judged.files) writeFileAtomically(made / file, bytes);
+  record::writeRecord(judged.record, made / "record.json");
+  fs::remove_all(place);
+  fs::rename(made, place);
+}
+
+}  // namespace pathmark::grading

@@ -1,0 +1,74 @@
+// ClassFolder: the folder that a class is graded into, and what earlier runs have left there.
+//
+//   DIR/run.json                       the seed and what was asked for
+//   DIR/submissions/NAME/record.json   one record, with pictures/ and reports beside it
+//   DIR/.work                          what is under way
+//
+// A submission's folder appears in one step, so that a run that is killed leaves whole records
+// only.
+#pragma once
+
+#include "grading/judge.h"
+#include "host/shared_memory.h"
+#include "record/record.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pathmark::grading {
+
+struct RunAsked {
+  std::optional<std::uint64_t> seed;  // by default the folder's, or a new one
+  std::vector<int> parts;
+  bool whole = true;
+};
+
+class ClassFolder {
+ public:
+  // Makes the folder where it is missing. One run at a time: throws UsageError if another one is
+  // at work there, or if the folder was graded with another seed or other parts.
+  ClassFolder(std::filesystem::path folder, const RunAsked& asked);
+
+  ~ClassFolder();
+  ClassFolder(const ClassFolder&) = delete;
+  ClassFolder& operator=(const ClassFolder&) = delete;
+
+  const std::filesystem::path& path() const { return folder_; }
+  std::uint64_t seed() const { return seed_; }
+  const std::vector<int>& parts() const { return parts_; }
+  bool whole() const { return whole_; }
+
+  // Names of all submissions that have a record, sorted.
+  std::vector<std::string> names() const;
+
+  std::filesystem::path folderOf(const std::string& name) const;
+
+  // Nothing if there is none that can be read.
+  std::optional<record::SubmissionRecord> find(const std::string& name) const;
+
+  // Bytes of one of its pictures; empty if it is not there.
+  std::string picture(const std::string& name, const std::string& file) const;
+
+  // An empty folder for something that is under way.
+  std::filesystem::path scratch(const std::string& name) const;
+  void removeScratch(const std::string& name) const;
+
+  // Replaces what there is of this submission. Throws ImageError or std::filesystem_error.
+  void put(const Judged& judged) const;
+
+ private:
+  void lock();
+  void readOrWriteRun(const RunAsked& asked);
+
+  std::filesystem::path folder_;
+  FileDescriptor lock_;
+  std::uint64_t seed_ = 0;
+  std::vector<int> parts_;
+  bool whole_ = true;
+};
+
+}  // namespace pathmark::grading

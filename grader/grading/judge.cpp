@@ -1,0 +1,259 @@
+#include "grading/judge.h"
+
+#include "checks/runner.h"
+#include "film/image_formats.h"
+#include "grading/record_results.h"
+#include "host/render_loop.h"
+#include "host/stub_report.h"
+#include "marking/samples.h"
+#include "sampling/mix.h"
+#include "scene/load_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+
+namespace pathmark::grading {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kPrintedBytes = 4096;  // that are kept of what a coursework prints
+constexpr double kShareOfChecks = 0.6;       // of the time for a submission, about
+constexpr int kLongestSide = 192;            // of the pictures of a submission's own scenes
+
+std::unique_ptr<WorkerProcess> startWorker(const std::filesystem::path& program) {
+  WorkerProcess::Options options;
+  options.program = program;
+  return std::make_unique<WorkerProcess>(std::move(options));
+}
+
+std::vector<CourseworkFunction> unwrittenIn(const record::PartRecord& part) {
+  std::vector<CourseworkFunction> functions;
+  for (const FunctionContract& f : contract())
+    for (const record::FunctionRecord& r : part.functions)
+      if (r.section == f.section && r.verdict == record::Verdict::kNotWritten)
+        functions.push_back(f.function);
+  return functions;
+}
+
+bool anythingWritten(const record::PartRecord& part) {
+  return std::any_of(
+      part.functions.begin(), part.functions.end(),
+      [](const record::FunctionRecord& f) { return f.verdict != record::Verdict::kNotWritten; });
+}
+
+}  // namespace
+
+// One submission on its way.
+class Judge::Session {
+ public:
+  Session(Judge& judge, const std::filesystem::path& folder, unsigned threads,
+          const OnProgress& onProgress)
+      : judge_(judge), folder_(folder), threads_(threads), onProgress_(onProgress) {}
+
+  Judged run() {
+    record::SubmissionRecord& record = judged_.record;
+    record.seed = judge_.options_.seed;
+    build_ = buildCoursework(folder_, Incomplete::kCompileOnly, judge_.confinement_);
+    check();
+    for (record::PartRecord& part : record.parts) {
+      show(part);
+      advance(0.5 * (1.0 - kShareOfChecks) / static_cast<double>(record.parts.size()));
+    }
+    if (judge_.options_.whole) showWhole();
+    throwIfInterrupted();
+    forgetFolder(record, folder_);
+    record.printed = printed_;
+    record.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+    return std::move(judged_);
+  }
+
+ private:
+  bool timeIsUp() const {
+    const double seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+    return seconds > judge_.options_.secondsAtMost;
+  }
+
+  bool goOn() {
+    if (!onProgress_(std::min(fraction_.load(), 1.0))) interrupted_ = true;
+    return !interrupted_ && !timeIsUp();
+  }
+
+  void throwIfInterrupted() const {
+    if (interrupted_) throw Interrupted();
+  }
+
+  void advance(double fraction) { fraction_ = fraction_ + fraction; }
+
+  void keepPrinted(std::string_view text) {
+    const std::lock_guard lock(printing_);
+    printed_ += text.substr(0, kPrintedBytes - std::min(printed_.size(), kPrintedBytes));
+  }
+
+  void check() {
+    checks::Selection selection;
+    selection.parts = judge_.options_.parts;
+    selection.images = selection.scenes = judge_.options_.whole;
+    checks::RunOptions options;
+    options.seed = judge_.options_.seed;
+    options.threads = threads_;
+    options.onText = [&](std::string_view text) { keepPrinted(text); };
+    checks::RunEvents events;
+    events.onProgress = [&](double fraction, const std::string&) {
+      fraction_ = kShareOfChecks * fraction;
+    };
+    events.goOn = [&] { return goOn(); };
+    const checks::CourseworkResults results = checks::runChecks(build_, selection, options, events);
+    throwIfInterrupted();
+    fraction_ = kShareOfChecks;
+    judged_.record.parts = recordParts(results, build_, selection.parts);
+    judged_.record.images = recordImages(results);
+    judged_.record.scenes = recordScenes(results);
+  }
+
+  std::unique_ptr<WorkerProcess> start(const std::filesystem::path& program) {
+    WorkerProcess::Options options;
+    options.program = program;
+    options.courseworkFolder = folder_;
+    options.confinement = judge_.confinement_;
+    options.onText = [&](std::string_view text) { keepPrinted(text); };
+    options.goOn = [&] { return goOn(); };
+    return std::make_unique<WorkerProcess>(std::move(options));
+  }
+
+  // Adds a picture to the record, and its files to what is to be written.
+  void take(marking::Compared compared, const std::string& name,
+            std::vector<record::PictureRecord>& pictures) {
+    record::PictureRecord& record = compared.record;
+    const auto keep = [&](const char* kind, std::string& bytes) -> std::string {
+      if (bytes.empty()) return {};
+      std::string file = fmt::format("pictures/{}_{}.png", name, kind);
+      judged_.files[file] = std::move(bytes);
+      return file;
+    };
+    record.yours = keep("yours", compared.files.yours);
+    record.reference = keep("reference", compared.files.reference);
+    record.difference = keep("difference", compared.files.difference);
+    pictures.push_back(std::move(record));
+  }
+
+  // Pictures of `scenes` with this program, a new worker for each: none sees what another left.
+  void compare(const LinkedWorker& linked, const std::vector<marking::MarkingScene>& scenes,
+               const std::string& name, bool convergence,
+               std::vector<record::PictureRecord>& pictures) {
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      marking::Compared compared;
+      compared.record.scene = scenes[k].name;
+      compared.record.failure = linked.failure;
+      if (!linked.worker.empty()) {
+        try {
+          const auto worker = start(linked.worker);
+          const marking::CompareOptions options{mix(judge_.options_.seed + k), threads_,
+                                                convergence};
+          compared = marking::comparePicture(*worker, scenes[k], *judge_.solved_, options);
+        } catch (const WorkerError& e) {
+          compared.record.failure = e.what();
+        } catch (const WorkerStopped&) {
+          throwIfInterrupted();
+          compared.record.failure = "The time for the whole submission was up before this picture.";
+        }
+      }
+      take(std::move(compared), fmt::format("{}_{}", name, k + 1), pictures);
+    }
+  }
+
+  void show(record::PartRecord& part) {
+    if (!anythingWritten(part)) return;
+    const LinkedWorker linked = linkWithOthers(build_, std::array{part.part}, judge_.solutions_);
+    compare(linked, judge_.scenes_.at(part.part), fmt::format("part{}", part.part), false,
+            part.pictures);
+    if (linked.worker.empty()) return;
+    try {
+      const auto worker = start(linked.worker);
+      const auto solved = startWorker(judge_.solvedWorker_);
+      for (record::SampleRecord& samples :
+           marking::drawSamples(*worker, *solved, part.part, unwrittenIn(part)))
+        judged_.record.samples.push_back(std::move(samples));
+    } catch (const WorkerError&) {
+      // The checks have said already what is wrong.
+    } catch (const WorkerStopped&) {
+      throwIfInterrupted();
+    }
+  }
+
+  void showWhole() {
+    static constexpr std::array kAll{0, 1, 2, 3, 4, 5, 6};
+    const LinkedWorker linked = linkWithOthers(build_, kAll, build_);
+    compare(linked, judge_.wholeScenes_, "whole", true, judged_.record.pictures);
+    for (record::SceneRecord& scene : judged_.record.scenes) showScene(scene);
+  }
+
+  // With the solutions: what a scene shows does not depend on mistakes in other parts.
+  void showScene(record::SceneRecord& scene) {
+    try {
+      const std::filesystem::path file = folder_ / "scenes" / scene.file;
+      const LoadedScene full = loadScene(file);
+      const double longest = std::max(full.flat.camera.width, full.flat.camera.height);
+      const double factor = std::min(kLongestSide / longest, 1.0);
+      const auto side = [&](std::uint32_t pixels) {
+        return std::max(static_cast<int>(std::lround(factor * pixels)), 1);
+      };
+      const LoadedScene shown = loadScene(
+          file, {.size = {{side(full.flat.camera.width), side(full.flat.camera.height)}}});
+      const auto worker = startWorker(judge_.solvedWorker_);
+      worker->loadScene(shown.flat);
+      RenderSettings settings;
+      settings.width = static_cast<int>(shown.flat.camera.width);
+      settings.height = static_cast<int>(shown.flat.camera.height);
+      settings.threads = threads_;
+      const RenderedImage rendered =
+          renderImage(*worker, settings, [&](const RenderStatus&) { return goOn(); });
+      throwIfInterrupted();
+      scene.picture = fmt::format("pictures/{}.png", file.stem().string());
+      judged_.files[scene.picture] = encodePng(rendered.image, shown.exposure);
+    } catch (const SceneError&) {
+      // It was said already.
+    } catch (const WorkerError& e) {
+      scene.message = e.what();
+    }
+  }
+
+  Judge& judge_;
+  const std::filesystem::path& folder_;
+  unsigned threads_;
+  const OnProgress& onProgress_;
+  Clock::time_point started_ = Clock::now();
+  std::atomic<double> fraction_{0.0};
+  std::atomic<bool> interrupted_{false};
+  CourseworkBuild build_;
+  Judged judged_;
+  std::mutex printing_;
+  std::string printed_;
+};
+
+Judge::Judge(JudgeOptions options, std::shared_ptr<Confinement> confinement)
+    : options_(std::move(options)), confinement_(std::move(confinement)) {
+  solutions_ = buildCoursework(courseworkFolder("solutions"));
+  if (solutions_.worker.empty())
+    throw std::runtime_error("The solutions cannot be used: " + solutions_.failure());
+  solvedWorker_ = solutions_.worker;
+  for (const int part : options_.parts) scenes_[part] = marking::scenesOfPart(part, options_.seed);
+  wholeScenes_ = marking::scenesOfWhole(options_.seed);
+  solved_ = std::make_unique<marking::SolvedPictures>(
+      [program = solvedWorker_] { return startWorker(program); }, options_.seed);
+}
+
+Judged Judge::judge(const std::filesystem::path& folder, unsigned threads,
+                    const OnProgress& onProgress) {
+  return Session(*this, folder, threads, onProgress).run();
+}
+
+}  // namespace pathmark::grading

@@ -1,0 +1,34 @@
+// writeReports: marks and reports of all records of a class, made from nothing else.
+#pragma once
+
+#include "grading/class_folder.h"
+#include "record/record.h"
+#include "rubric/marks.h"
+#include "rubric/rubric.h"
+
+#include <string>
+#include <vector>
+
+namespace pathmark::grading {
+
+class ClassReports {
+ public:
+  ClassReports(std::vector<record::SubmissionRecord> records, std::vector<rubric::Marks> marks)
+      : records_(std::move(records)), marks_(std::move(marks)) {}
+
+  // For a terminal.
+  std::string table(bool colour) const;
+
+  const std::vector<record::SubmissionRecord>& records() const { return records_; }
+  const std::vector<rubric::Marks>& marks() const { return marks_; }
+
+ private:
+  std::vector<record::SubmissionRecord> records_;
+  std::vector<rubric::Marks> marks_;
+};
+
+// Beside each record report.html, results.json and junit.xml; for the class report.html, marks.csv
+// and junit.xml. Throws ImageError where a file cannot be written.
+ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubric);
+
+}  // namespace pathmark::grading

@@ -1,0 +1,160 @@
+#include "marking/pictures.h"
+
+#include "film/image_formats.h"
+#include "film/signed_picture.h"
+#include "film/usable_pixels.h"
+#include "host/render_loop.h"
+#include "sampling/mix.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace pathmark::marking {
+
+namespace {
+
+// Of the curve of errors.
+constexpr std::array<std::uint64_t, 5> kRayCounts{1, 4, 16, 64, 256};
+
+// In the picture of differences, at least: what is nothing but noise stays pale.
+constexpr double kLeastScale = 0.05;
+
+RenderSettings settingsOf(const MarkingScene& scene, std::uint64_t seed, unsigned threads) {
+  RenderSettings settings;
+  settings.width = static_cast<int>(scene.flat.camera.width);
+  settings.height = static_cast<int>(scene.flat.camera.height);
+  settings.threads = threads;
+  settings.seed = seed;
+  settings.estimator = scene.estimator;
+  return settings;
+}
+
+RenderedImage renderAll(WorkerProcess& worker, const RenderSettings& settings) {
+  return renderImage(worker, settings, [](const RenderStatus&) { return true; });
+}
+
+double brightnessOf(const Image& image) {
+  double sum = 0.0;
+  for (const float x : image.rgb) sum += double{x};
+  return sum / static_cast<double>(std::max<std::size_t>(image.rgb.size(), 1));
+}
+
+// Root mean square of what differs from the reference, less the reference's own noise, relative to
+// its brightness.
+double errorAgainst(const Image& image, const Image& reference) {
+  double sum = 0.0;
+  for (std::size_t v = 0; v < image.rgb.size(); ++v) {
+    const double d = double{image.rgb[v]} - double{reference.rgb[v]};
+    const double own = reference.variance.empty() ? 0.0 : double{reference.variance[v]};
+    sum += d * d - (std::isfinite(own) ? own : 0.0);
+  }
+  const double mean = sum / static_cast<double>(image.rgb.size());
+  return std::sqrt(std::max(mean, 0.0)) / std::max(brightnessOf(reference), 1e-30);
+}
+
+// The scene must have been loaded.
+std::vector<double> convergenceOf(WorkerProcess& worker, const MarkingScene& scene,
+                                  const Image& reference, std::uint64_t seed, unsigned threads) {
+  std::vector<double> errors;
+  for (const std::uint64_t rays : kRayCounts) {
+    RenderSettings settings = settingsOf(scene, mix(seed + kGolden * rays), threads);
+    settings.raysPerPixel = rays;
+    errors.push_back(errorAgainst(renderAll(worker, settings).image, reference));
+  }
+  return errors;
+}
+
+void drawDifference(Compared& compared, const Image& yours, const Image& reference) {
+  const UsablePixels pixels = findUsablePixels(yours, reference);
+  const double brightness = std::max(brightnessOf(reference), 1e-30);
+  std::vector<float> values = largestOfChannels(differenceImage(yours, reference), pixels);
+  for (float& value : values) value = static_cast<float>(double{value} / brightness);
+  compared.record.scale = std::max(fullColour(values), kLeastScale);
+  compared.files.difference =
+      encodeSignedPng(yours.width, yours.height, values, compared.record.scale);
+}
+
+std::string invalidWords(const InvalidPixels& invalid) {
+  if (invalid.count() == 0) return {};
+  return fmt::format("{} values of the picture were NaN, {} infinite and {} negative.", invalid.nan,
+                     invalid.infinite, invalid.negative);
+}
+
+}  // namespace
+
+Measured renderMeasured(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed,
+                        unsigned threads) {
+  worker.loadScene(scene.flat);
+  RenderSettings settings = settingsOf(scene, seed, threads);
+  settings.raysPerPixel = kRaysPerPixel;
+  settings.replicates = kReplicates;
+  const RenderedImage rendered = renderAll(worker, settings);
+  return {rendered.image, static_cast<double>(rendered.raysTraced), kReplicates};
+}
+
+const Solved& SolvedPictures::of(const MarkingScene& scene, bool withConvergence,
+                                 unsigned threads) {
+  Entry* entry = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    entry = &entries_[fmt::format("{} {} {}", scene.name, static_cast<int>(scene.estimator),
+                                  withConvergence)];
+  }
+  std::call_once(entry->made, [&] {
+    const std::uint64_t seed = mix(seed_ + kGolden);
+    try {
+      const std::unique_ptr<WorkerProcess> worker = start_();
+      entry->solved.picture = renderMeasured(*worker, scene, seed, threads);
+      if (withConvergence)
+        entry->solved.convergence =
+            convergenceOf(*worker, scene, entry->solved.picture.image, mix(seed), threads);
+    } catch (const WorkerError& e) {
+      // Nobody's coursework is to blame.
+      throw std::runtime_error(std::string("The solutions failed: ") + e.what());
+    }
+  });
+  return entry->solved;
+}
+
+Compared comparePicture(WorkerProcess& worker, const MarkingScene& scene, SolvedPictures& solved,
+                        const CompareOptions& options) {
+  const Solved& reference = solved.of(scene, options.convergence, options.threads);
+  Compared compared;
+  record::PictureRecord& record = compared.record;
+  record.scene = scene.name;
+  record.width = static_cast<int>(scene.flat.camera.width);
+  record.height = static_cast<int>(scene.flat.camera.height);
+  record.raysPerPixel = static_cast<double>(kRaysPerPixel);
+  try {
+    worker.loadScene(scene.flat);
+    RenderSettings settings = settingsOf(scene, options.seed, options.threads);
+    settings.raysPerPixel = kRaysPerPixel;
+    settings.replicates = kReplicates;
+    const RenderedImage rendered = renderAll(worker, settings);
+    const Measured yours{rendered.image, static_cast<double>(rendered.raysTraced), kReplicates};
+    const Measured& theirs = reference.picture;
+    record.bias = tileBias(yours.image, theirs.image);
+    record.meanError = meanErrors(yours.image, theirs.image);
+    record.efficiency = efficiencyOver(yours, theirs);
+    record.pValues = pValueHistogram(yours, theirs);
+    record.failure = invalidWords(rendered.invalid);
+    if (options.convergence) {
+      record.convergence.raysPerPixel.assign(kRayCounts.begin(), kRayCounts.end());
+      record.convergence.solutions = reference.convergence;
+      record.convergence.yours =
+          convergenceOf(worker, scene, theirs.image, mix(options.seed), options.threads);
+    }
+    compared.files.yours = encodePng(yours.image, scene.exposure);
+    compared.files.reference = encodePng(theirs.image, scene.exposure);
+    drawDifference(compared, yours.image, theirs.image);
+  } catch (const WorkerError& e) {
+    record.failure = e.what();
+  }
+  return compared;
+}
+
+}  // namespace pathmark::marking

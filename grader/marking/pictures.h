@@ -1,0 +1,74 @@
+// Pictures for marks: of a coursework, beside those of the solutions.
+//
+//   SolvedPictures   the solutions' pictures and samples of one seed, each made once
+//   comparePicture   a coursework's picture of one scene, and how it differs
+#pragma once
+
+#include "host/worker_process.h"
+#include "marking/marking_scenes.h"
+#include "marking/picture_statistics.h"
+#include "record/record.h"
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace pathmark::marking {
+
+// Rays per pixel with 64 replicates, which the statistics of efficiency were measured with.
+inline constexpr std::uint32_t kReplicates = 64;
+inline constexpr std::uint64_t kRaysPerPixel = 256;
+
+// With these seeds for random numbers, so that pictures of the same scene by two courseworks share
+// no noise. Throws WorkerError.
+Measured renderMeasured(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed,
+                        unsigned threads);
+
+struct Solved {
+  Measured picture;
+  std::vector<double> convergence;  // empty where it was not asked for
+};
+
+// Safe to use from several threads: they wait for each other only where they want the same one.
+class SolvedPictures {
+ public:
+  // `start` starts a worker of the solutions.
+  SolvedPictures(std::function<std::unique_ptr<WorkerProcess>()> start, std::uint64_t seed)
+      : start_(std::move(start)), seed_(seed) {}
+
+  const Solved& of(const MarkingScene& scene, bool withConvergence, unsigned threads);
+
+ private:
+  struct Entry {
+    std::once_flag made;
+    Solved solved;
+  };
+  std::function<std::unique_ptr<WorkerProcess>()> start_;
+  std::uint64_t seed_;
+  std::mutex mutex_;
+  std::map<std::string, Entry> entries_;
+};
+
+// The files of a picture, as bytes.
+struct PictureFiles {
+  std::string yours, reference, difference;
+};
+
+struct Compared {
+  record::PictureRecord record;  // without the names of files
+  PictureFiles files;
+};
+
+struct CompareOptions {
+  std::uint64_t seed = 0;
+  unsigned threads = 1;
+  bool convergence = false;
+};
+
+// What goes wrong in the coursework is said in the record's `failure`; the worker has ended then.
+// WorkerStopped passes through.
+Compared comparePicture(WorkerProcess& worker, const MarkingScene& scene, SolvedPictures& solved,
+                        const CompareOptions& options);
+
+}  // namespace pathmark::marking

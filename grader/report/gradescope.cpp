@@ -1,0 +1,86 @@
+#include "report/gradescope.h"
+
+#include "report/clean_text.h"
+#include "report/record_words.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace pathmark::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using record::FunctionRecord;
+using record::PartRecord;
+using record::SubmissionRecord;
+using record::Verdict;
+
+constexpr std::size_t kLongestOutput = 8000;
+
+std::string foundIn(const FunctionRecord& function) {
+  std::string text;
+  for (const record::CheckRecord& check : function.checks)
+    if (check.verdict != Verdict::kOk || !check.remark.empty()) text += "\n" + textOf(check);
+  return text;
+}
+
+// What the compiler said belongs to every line of its part.
+std::string outputOf(const SubmissionRecord& record, const rubric::PartMarks& part,
+                     const rubric::MarkLine& line) {
+  std::string text = line.reason.empty() ? "All points.\n" : line.reason + "\n";
+  if (const FunctionRecord* function = functionOf(record, line)) text += foundIn(*function);
+  for (const PartRecord& p : record.parts)
+    if (p.part == part.part && !p.message.empty() && line.points < line.outOf)
+      text += "\n" + p.message + "\n";
+  return cutAfter(cleanText(text), kLongestOutput);
+}
+
+Json testOf(const SubmissionRecord& record, const rubric::PartMarks& part, std::size_t number) {
+  const rubric::MarkLine& line = part.lines[number];
+  return Json{{"name", cleanLine(fmt::format("{}: {}", part.title, line.what))},
+              {"number", fmt::format("{}.{}", part.part, number + 1)},
+              {"score", line.points},
+              {"max_score", line.outOf},
+              {"status", line.points >= line.outOf ? "passed" : "failed"},
+              {"output", outputOf(record, part, line)},
+              {"output_format", "text"},
+              {"visibility", "visible"}};
+}
+
+std::string summary(const SubmissionRecord& record) {
+  std::string text;
+  if (record.internalError())
+    text += "This submission could not be graded; that is no fault of it. " + record.failure + "\n";
+  for (const std::string& sentence : record.collecting) text += sentence + "\n";
+  for (const std::string& sentence : whatIsWrong(record)) text += sentence + "\n";
+  return cutAfter(cleanText(text), kLongestOutput);
+}
+
+}  // namespace
+
+std::string gradescopeJson(const SubmissionRecord& record, const rubric::Marks& marks) {
+  Json json{{"score", marks.points},
+            {"execution_time", record.seconds},
+            {"output", summary(record)},
+            {"output_format", "text"},
+            {"visibility", "visible"},
+            {"stdout_visibility", "hidden"},
+            {"tests", Json::array()}};
+  for (const rubric::PartMarks& part : marks.parts)
+    for (std::size_t i = 0; i < part.lines.size(); ++i)
+      json["tests"].push_back(testOf(record, part, i));
+  json["extra_data"] = Json{{"submission", cleanLine(record.name)},
+                            {"contents", record.contents},
+                            {"seed", fmt::format("{}", record.seed)},
+                            {"out_of", marks.outOf},
+                            {"complete", !record.internalError()},
+                            {"grader", record.build.program},
+                            {"compiler", record.build.compiler},
+                            {"flags", record.build.flags},
+                            {"instructions", record.build.instructions},
+                            {"sandbox", record.build.sandbox}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace pathmark::report

@@ -1,0 +1,54 @@
+// Words for what is in a record; they are the same in every report.
+//
+//   verdictOfPart    of parts 0 to 7, or of the whole as submitted
+//   partName         "part 3", "whole"
+//   isFault          whether a verdict says that something is wrong with the coursework
+//   whatIsWrong      "part 4 does not compile", and the like
+//   worstOf          the check that tells most about a function
+//   fieldsOf         what to tell of a check, in order
+//   functionOf       the function that a line of the marks is about
+//   pointsText       "12.5"
+#pragma once
+
+#include "record/record.h"
+#include "report/field.h"
+#include "rubric/marks.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pathmark::report {
+
+inline constexpr int kScenesPart = 7, kWhole = 8;
+
+// Nothing if the record does not say.
+std::optional<record::Verdict> verdictOfPart(const record::SubmissionRecord& record, int part);
+
+std::string partName(int part);
+
+// Wrong, not compiling, stopped; neither unwritten nor blocked nor an error of the grader.
+bool isFault(record::Verdict verdict);
+
+// "part 4 does not compile", "parts 2 and 3 wrong"; what is only blocked is left out. An internal
+// error comes first.
+std::vector<std::string> whatIsWrong(const record::SubmissionRecord& record);
+
+// Null if there are none.
+const record::CheckRecord* worstOf(const std::vector<record::CheckRecord>& checks);
+
+// Those that are known: "where", "expected", "got", "tolerance", "likely", "note", "read", "repeat".
+std::vector<Field> fieldsOf(const record::CheckRecord& check);
+
+// The same as lines of text, the statement first.
+std::string textOf(const record::CheckRecord& check);
+
+// By the section at its beginning: "3.3 lambertianBRDF::reflection". Null if there is none.
+const record::FunctionRecord* functionOf(const record::SubmissionRecord& record,
+                                         const rubric::MarkLine& line);
+
+// At most two places behind the point, and none that are 0.
+std::string pointsText(double points);
+
+}  // namespace pathmark::report

@@ -1,0 +1,165 @@
+#include "report/submission_html.h"
+
+#include "picture_slider_js.h"
+#include "report/clean_text.h"
+#include "report/page_html.h"
+#include "report/part_html.h"
+#include "report/plots.h"
+#include "report/record_words.h"
+
+#include <algorithm>
+
+namespace pathmark::report {
+
+namespace {
+
+using record::FunctionRecord;
+using record::PartRecord;
+using record::SubmissionRecord;
+using record::Verdict;
+
+constexpr std::size_t kLongestPrinted = 20000;
+
+// "Right: 14 of 23 functions. Wrong: 2. Not written: 1."
+std::string standing(const SubmissionRecord& record) {
+  std::size_t all = 0, right = 0, faults = 0, unwritten = 0;
+  for (const PartRecord& part : record.parts)
+    for (const FunctionRecord& function : part.functions) {
+      ++all;
+      right += function.verdict == Verdict::kOk ? 1u : 0u;
+      faults += isFault(function.verdict) ? 1u : 0u;
+      unwritten += function.verdict == Verdict::kNotWritten ? 1u : 0u;
+    }
+  if (all == 0) return {};
+  std::string text = fmt::format("{} of {} functions that could be tried are right", right, all);
+  if (faults > 0) text += fmt::format(", {} {} not", faults, faults == 1 ? "is" : "are");
+  if (unwritten > 0)
+    text += fmt::format(", {} {} not written", unwritten, unwritten == 1 ? "is" : "are");
+  return text + ".";
+}
+
+struct Loss {
+  const PartView* view;
+  const rubric::MarkLine* line;
+  double points() const { return line->outOf - line->points; }
+};
+
+// The three lines of the marks that cost most.
+Markup whereToBegin(const std::vector<PartView>& views) {
+  constexpr std::size_t kMost = 3;
+  std::vector<Loss> losses;
+  for (const PartView& view : views)
+    if (view.marks != nullptr)
+      for (const rubric::MarkLine& line : view.marks->lines)
+        if (line.points < line.outOf) losses.push_back({&view, &line});
+  if (losses.empty()) return {};
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const Loss& a, const Loss& b) { return a.points() > b.points(); });
+  losses.resize(std::min(losses.size(), kMost));
+  Markup list;
+  for (const Loss& loss : losses)
+    list += markup("<li><a href=\"#part-{}\">{}</a> {} <span class=\"cost\">\u2212{}</span></li>\n",
+                   loss.view->part, loss.line->what, loss.line->reason, pointsText(loss.points()));
+  return markup("<nav class=\"begin\"><h2>Where most points were lost</h2>\n<ol>{}</ol></nav>\n",
+                list);
+}
+
+Markup headline(const SubmissionRecord& record, const rubric::Marks& marks,
+                const std::vector<PartView>& views) {
+  if (record.internalError())
+    return markup(
+        "<header class=\"top\">\n<p class=\"kicker\">Pathmark report</p>\n<h1>{}</h1>\n"
+        "<p class=\"banner\"><strong>! Not graded to the end.</strong> That is no fault of this "
+        "submission: {}</p>\n</header>\n",
+        record.name, record.failure);
+  return markup(
+      "<header class=\"top\">\n<p class=\"kicker\">Pathmark report</p>\n<h1>{}</h1>\n"
+      "<p class=\"score\"><strong>{}</strong> of {} points</p>\n{}\n<p>{}</p>\n{}</header>\n",
+      record.name, pointsText(marks.points), pointsText(marks.outOf),
+      pointsBar(marks.points, marks.outOf), standing(record), whereToBegin(views));
+}
+
+Markup partsTable(const SubmissionRecord& record, const std::vector<PartView>& views) {
+  if (views.empty()) return {};
+  Markup rows;
+  for (const PartView& view : views) {
+    const std::optional<Verdict> verdict = verdictOfPart(record, view.part);
+    rows += markup(
+        "<tr><th scope=\"row\"><a href=\"#part-{}\">{}</a></th><td>{}</td>"
+        "<td class=\"number\">{}</td><td class=\"barcell\">{}</td></tr>\n",
+        view.part, view.title, verdict ? verdictChip(*verdict) : Markup{},
+        view.marks ? fmt::format("{} / {}", pointsText(view.marks->points),
+                                 pointsText(view.marks->outOf))
+                   : std::string(),
+        view.marks ? pointsBar(view.marks->points, view.marks->outOf) : Markup{});
+  }
+  return markup(
+      "<table class=\"parts\"><thead><tr><th scope=\"col\">part</th><th scope=\"col\">verdict</th>"
+      "<th scope=\"col\" class=\"number\">points</th><td class=\"barcell\"></td></tr></thead>\n"
+      "<tbody>{}</tbody></table>\n",
+      rows);
+}
+
+Markup collecting(const SubmissionRecord& record) {
+  if (record.collecting.empty()) return {};
+  Markup list;
+  for (const std::string& sentence : record.collecting) list += markup("<li>{}</li>\n", sentence);
+  return markup("<section class=\"part\"><h2>What was found in the submission</h2>\n<ul>{}</ul>"
+                "</section>\n",
+                list);
+}
+
+Markup printed(const SubmissionRecord& record) {
+  if (record.printed.empty()) return {};
+  return markup(
+      "<section class=\"part\"><h2>What the coursework printed</h2>\n<p class=\"hint\">It decides "
+      "nothing.</p>\n<pre tabindex=\"0\" role=\"region\" aria-label=\"What the coursework "
+      "printed\">{}</pre></section>\n",
+      cutAfter(cleanText(record.printed), kLongestPrinted));
+}
+
+// For a shell: in single quotes unless it is plain.
+std::string quoted(std::string_view word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos)
+    return std::string(word);
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+Markup howItWasMade(const SubmissionRecord& record) {
+  Markup rows = term("seed", fmt::format("{}", record.seed));
+  rows += term("sandbox", record.build.sandbox);
+  rows += term("compiler", record.build.compiler);
+  rows += term("flags", record.build.flags);
+  rows += term("instructions", record.build.instructions);
+  rows += term("grader", record.build.program);
+  rows += term("contents", record.contents);
+  rows += term("took", fmt::format("{:.0f} s", record.seconds));
+  return markup(
+      "<section class=\"part\"><h2>How these marks were made</h2>\n<p>Each part was linked with the "
+      "solutions of all others, so that no mistake is counted twice, and asked with random inputs. "
+      "The same seed gives the same marks, on any number of threads:</p>\n"
+      "<pre tabindex=\"0\"><code>./pathmark grade {} --seed {}</code></pre>\n"
+      "<dl class=\"facts\">{}</dl></section>\n",
+      cleanLine(quoted(record.source)), record.seed, rows);
+}
+
+}  // namespace
+
+std::string submissionHtml(const SubmissionRecord& record, const rubric::Marks& marks,
+                           const PictureSource& pictures) {
+  const std::vector<PartView> views = partViews(record, marks);
+  Markup body = markup("<main>\n{}{}", headline(record, marks, views), partsTable(record, views));
+  for (const PartView& view : views) body += partHtml(view, record, pictures);
+  body += collecting(record);
+  body += printed(record);
+  body += howItWasMade(record);
+  body += Markup{"</main>"};
+  return page(fmt::format("{} \u2013 Pathmark", record.name), body,
+              {assets::kPictureSliderJs, assets::kPictureSliderJsSha256});
+}
+
+}  // namespace pathmark::report

@@ -1,0 +1,3 @@
+// Attack: the compiler is to read without end
+// Verdict: does not compile
+#include "/dev/zero"

@@ -1,0 +1,3 @@
+// Attack: the compiler is to quote the machine's users
+// Verdict: does not compile
+#include "/etc/passwd"

@@ -1,0 +1,3 @@
+// Attack: the compiler is to quote a secret in its messages
+// Verdict: does not compile
+#include "@SECRET_FILE@"

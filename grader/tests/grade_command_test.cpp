@@ -1,0 +1,201 @@
+// pathmark grade as an instructor uses it: the real program on a small class.
+#include "support/background_program.h"
+#include "support/coursework_copy.h"
+#include "support/run_command.h"
+#include "support/test_coursework_files.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+namespace pathmark::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kRoot = PATHMARK_ROOT;
+
+std::string quoted(const fs::path& path) { return path.string(); }
+
+// Of the last part only, which is the quickest to grade.
+class GradeCommand : public testing::Test {
+ protected:
+  void add(const std::string& name, const std::string& from = {}, const std::string& to = {}) {
+    CourseworkCopy copy;
+    if (!from.empty()) copy.replace("part6_roulette.cpp", from, to);
+    fs::create_directories(classFolder());
+    fs::copy(copy.with(), classFolder() / name, fs::copy_options::recursive);
+  }
+
+  std::vector<std::string> command(std::vector<std::string> more = {}) const {
+    std::vector<std::string> words{PATHMARK_PROGRAM, "grade",       quoted(classFolder()),
+                                   "--out",          quoted(out()), "--only",
+                                   "part6"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  ProcessResult grade(std::vector<std::string> more = {}) const {
+    return run(command(std::move(more)), kRoot);
+  }
+
+  fs::path classFolder() const { return folder_ / "class"; }
+  fs::path out() const { return folder_ / "grades"; }
+  fs::path recordOf(const std::string& name) const {
+    return out() / "submissions" / name / "record.json";
+  }
+  Json record(const std::string& name) const { return Json::parse(textOf(recordOf(name))); }
+
+  TemporaryFolder folder_;
+};
+
+// A marked row's points, from marks.csv.
+std::string rowOf(const std::string& csv, const std::string& name) {
+  const std::size_t at = csv.find("\n" + name + ",");
+  return at == std::string::npos ? "" : csv.substr(at + 1, csv.find('\n', at + 1) - at - 1);
+}
+
+constexpr const char* kWeight = "return {true, 1.0f / q};";
+
+TEST_F(GradeCommand, MarksAClassAndWritesItsReports) {
+  add("right");
+  add("wrong", kWeight, "return {true, 1.0f};");
+  add("broken", kWeight, "return {true, 1.0f / };");
+  const ProcessResult result = grade({"--seed", "3"});
+  EXPECT_EQ(result.exitCode, 0) << result.output;
+  EXPECT_EQ(record("right")["parts"][0]["verdict"], "ok");
+  EXPECT_EQ(record("wrong")["parts"][0]["verdict"], "wrong");
+  EXPECT_EQ(record("broken")["parts"][0]["verdict"], "does not compile");
+  for (const char* name : {"right", "wrong", "broken"}) {
+    EXPECT_NE(result.output.find(name), std::string::npos) << result.output;
+    for (const char* file : {"report.html", "results.json", "junit.xml"})
+      EXPECT_GT(fs::file_size(out() / "submissions" / name / file), 100u) << file;
+  }
+  for (const char* file : {"report.html", "marks.csv", "junit.xml"})
+    EXPECT_GT(fs::file_size(out() / file), 100u) << file;
+  EXPECT_FALSE(fs::exists(out() / ".work"));
+}
+
+TEST_F(GradeCommand, GradesNothingTwice) {
+  add("right");
+  ASSERT_EQ(grade().exitCode, 0);
+  const std::string before = textOf(recordOf("right"));
+  EXPECT_EQ(grade().exitCode, 0);
+  // A new record would have other times in it.
+  EXPECT_EQ(textOf(recordOf("right")), before);
+  add("late");
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_EQ(textOf(recordOf("right")), before);
+  EXPECT_TRUE(fs::exists(recordOf("late")));
+  std::ofstream(classFolder() / "right" / "part6_roulette.cpp", std::ios::app) << "// new\n";
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_NE(textOf(recordOf("right")), before);
+}
+
+TEST_F(GradeCommand, GoesOnAfterItWasKilled) {
+  for (const char* name : {"a", "b", "c", "d"}) add(name);
+  {
+    BackgroundProgram program(command({"--jobs", "1"}), kRoot, folder_ / "log");
+    ASSERT_TRUE(waitFor([&] { return fs::exists(recordOf("a")); }));
+    program.signal(SIGKILL);
+    program.wait();
+  }
+  const std::string before = textOf(recordOf("a"));
+  ASSERT_FALSE(fs::exists(recordOf("d")));
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_EQ(textOf(recordOf("a")), before);
+  EXPECT_EQ(record("d")["parts"][0]["verdict"], "ok");
+  EXPECT_FALSE(fs::exists(out() / ".work"));
+}
+
+TEST_F(GradeCommand, CtrlCKeepsWhatIsDone) {
+  for (const char* name : {"a", "b", "c", "d"}) add(name);
+  BackgroundProgram program(command({"--jobs", "1"}), kRoot, folder_ / "log");
+  ASSERT_TRUE(waitFor([&] { return fs::exists(recordOf("a")); }));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_NE(textOf(folder_ / "log").find("goes on from here"), std::string::npos);
+  EXPECT_TRUE(fs::exists(out() / "marks.csv"));
+  EXPECT_FALSE(fs::exists(recordOf("d")));
+}
+
+TEST_F(GradeCommand, JobsChangeNoMark) {
+  add("right");
+  add("wrong", kWeight, "return {true, 0.9f / q};");
+  add("slow", kWeight, "return {true, 1.0f / q}; for (;;);");
+  ASSERT_EQ(grade({"--seed", "9", "--jobs", "1"}).exitCode, 0);
+  const std::string one = textOf(out() / "marks.csv");
+  fs::remove_all(out());
+  ASSERT_EQ(grade({"--seed", "9", "--jobs", "3"}).exitCode, 0);
+  EXPECT_EQ(textOf(out() / "marks.csv"), one);
+}
+
+TEST_F(GradeCommand, ANewRubricMarksRecordsAnewWithoutRunningThem) {
+  add("right");
+  ASSERT_EQ(grade().exitCode, 0);
+  const std::string before = textOf(recordOf("right")), csv = textOf(out() / "marks.csv");
+  Json rubric = Json::parse(textOf(kRoot / "grader/rubric/rubric.json"), nullptr, true, true);
+  rubric["parts"]["6"]["points"] = 55;
+  std::ofstream(folder_ / "rubric.json") << rubric.dump(1);
+  // The submissions themselves are not needed for it.
+  fs::remove_all(classFolder());
+  const ProcessResult result = run({PATHMARK_PROGRAM, "grade", "--out", quoted(out()), "--only",
+                                    "part6", "--rubric", quoted(folder_ / "rubric.json")},
+                                   kRoot);
+  EXPECT_EQ(result.exitCode, 0) << result.output;
+  EXPECT_EQ(textOf(recordOf("right")), before);
+  const std::string row = rowOf(textOf(out() / "marks.csv"), "right");
+  EXPECT_NE(row.find("55"), std::string::npos) << row;
+  EXPECT_EQ(csv.find("55"), std::string::npos) << csv;
+}
+
+TEST_F(GradeCommand, KeepsTheSeedOfItsFolder) {
+  add("right");
+  ASSERT_EQ(grade({"--seed", "3"}).exitCode, 0);
+  const ProcessResult other = grade({"--seed", "4"});
+  EXPECT_EQ(other.exitCode, 2);
+  EXPECT_NE(other.output.find("was graded with seed 3"), std::string::npos) << other.output;
+  EXPECT_EQ(grade().exitCode, 0);
+  const ProcessResult all =
+      run({PATHMARK_PROGRAM, "grade", quoted(classFolder()), "--out", quoted(out())}, kRoot);
+  EXPECT_EQ(all.exitCode, 2);
+  EXPECT_NE(all.output.find("part 6 only"), std::string::npos) << all.output;
+}
+
+TEST_F(GradeCommand, SaysWhatItCannotMean) {
+  const auto says = [](const std::vector<std::string>& words, const std::string& sentence) {
+    std::vector<std::string> command{PATHMARK_PROGRAM, "grade"};
+    command.insert(command.end(), words.begin(), words.end());
+    const ProcessResult result = run(command, kRoot);
+    EXPECT_EQ(result.exitCode, 2) << result.output;
+    EXPECT_NE(result.output.find(sentence), std::string::npos) << result.output;
+  };
+  const std::string nowhere = quoted(folder_ / "nowhere");
+  says({"--out", nowhere}, "Name what is to be graded");
+  says({nowhere}, nowhere);
+  says({"solutions", "--only", "part9", "--out", nowhere}, "allowed is a part: part0 to part6");
+  says({"solutions", "--rubric", nowhere}, nowhere);
+  says({"solutions", "--jobs", "0"}, "--jobs");
+  says({"solutions", "--sandbox", "none", "--out", nowhere}, "none");
+  says({"README.md", "--out", nowhere}, "README.md");
+  EXPECT_FALSE(fs::exists(nowhere));
+}
+
+TEST_F(GradeCommand, OneRunAtATimeInOneFolder) {
+  for (const char* name : {"a", "b"}) add(name);
+  BackgroundProgram program(command({"--jobs", "1"}), kRoot, folder_ / "log");
+  ASSERT_TRUE(waitFor([&] { return fs::exists(recordOf("a")); }));
+  const ProcessResult second = grade();
+  program.signal(SIGINT);
+  program.wait();
+  EXPECT_EQ(second.exitCode, 2);
+  EXPECT_NE(second.output.find("another run is grading"), std::string::npos) << second.output;
+}
+
+}  // namespace
+}  // namespace pathmark::test

@@ -1,0 +1,166 @@
+// From a submission's files to its record.
+#include "grading/judge.h"
+#include "record/record_json.h"
+#include "support/test_coursework_files.h"
+#include "variants/variant.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace pathmark::grading {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 5;
+
+const OnProgress kGoOn = [](double) { return true; };
+
+JudgeOptions onlyPart(int part) {
+  JudgeOptions options;
+  options.seed = kSeed;
+  options.parts = {part};
+  options.whole = false;
+  return options;
+}
+
+// What differs from run to run without meaning anything.
+std::string withoutTimes(record::SubmissionRecord record) {
+  record.seconds = 0.0;
+  const auto forget = [](std::vector<record::CheckRecord>& checks) {
+    for (record::CheckRecord& check : checks) check.seconds = 0.0;
+  };
+  for (record::PartRecord& part : record.parts)
+    for (record::FunctionRecord& function : part.functions) forget(function.checks);
+  forget(record.images);
+  return toJson(record);
+}
+
+class JudgeTest : public testing::Test {
+ protected:
+  // The solutions, with one file in other words.
+  fs::path submission(const std::string& file = {}, const std::string& code = {}) {
+    const fs::path place = folder_ / "coursework";
+    fs::remove_all(place);
+    fs::create_directories(place);
+    for (const PartContract& part : parts())
+      fs::copy_file(courseworkFolder("solutions") / part.file, place / part.file);
+    if (!file.empty()) std::ofstream(place / file) << code;
+    return place;
+  }
+
+  fs::path variant(const std::string& name) {
+    const fs::path place = folder_ / "coursework";
+    fs::remove_all(place);
+    for (const Variant& v : allVariants())
+      if (v.name == name) applyVariant(v, place);
+    return place;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_F(JudgeTest, WhatIsRightIsOkAndAsEfficientAsTheSolutions) {
+  Judge judge(onlyPart(3), nullptr);
+  const Judged judged = judge.judge(submission(), 2, kGoOn);
+  ASSERT_EQ(judged.record.parts.size(), 1u);
+  const record::PartRecord& part = judged.record.parts[0];
+  EXPECT_EQ(part.verdict, record::Verdict::kOk);
+  ASSERT_EQ(part.functions.size(), 3u);
+  ASSERT_EQ(part.pictures.size(), 1u);
+  const record::PictureRecord& picture = part.pictures[0];
+  EXPECT_EQ(picture.failure, "");
+  // Differing at a rate of 1 % each if only noise were at work; the seed is fixed.
+  EXPECT_EQ(picture.bias.low, 0.0);
+  EXPECT_LT(picture.bias.high, 0.01);
+  EXPECT_LT(picture.efficiency->low, 1.0);
+  EXPECT_GT(picture.efficiency->high, 1.0);
+  for (const std::string& file : {picture.yours, picture.reference, picture.difference})
+    EXPECT_EQ(judged.files.at(file).substr(1, 3), "PNG");
+  ASSERT_EQ(judged.record.samples.size(), 1u);
+  EXPECT_EQ(judged.record.samples[0].histograms[0].yours,
+            judged.record.samples[0].histograms[0].expected);
+}
+
+TEST_F(JudgeTest, AMistakeHasItsConsequence) {
+  Judge judge(onlyPart(3), nullptr);
+  const Judged judged = judge.judge(variant("part3_cosine_in_brdf"), 2, kGoOn);
+  const record::PartRecord& part = judged.record.parts.at(0);
+  EXPECT_EQ(part.verdict, record::Verdict::kWrong);
+  EXPECT_GT(part.pictures.at(0).bias.low, 0.05);
+}
+
+TEST_F(JudgeTest, ThreadsChangeNothing) {
+  Judge judge(onlyPart(6), nullptr);
+  const fs::path place = submission();
+  const Judged one = judge.judge(place, 1, kGoOn);
+  Judge again(onlyPart(6), nullptr);
+  const Judged three = again.judge(place, 3, kGoOn);
+  EXPECT_EQ(withoutTimes(one.record), withoutTimes(three.record));
+  EXPECT_EQ(one.files, three.files);
+}
+
+TEST_F(JudgeTest, AFileThatDoesNotCompileCostsOnlyItsPart) {
+  JudgeOptions options = onlyPart(3);
+  options.parts = {3, 6};
+  Judge judge(options, nullptr);
+  const Judged judged =
+      judge.judge(submission("part3_lambertian.cpp", "int x = nonsense;\n"), 2, kGoOn);
+  const record::PartRecord& part = judged.record.parts.at(0);
+  EXPECT_EQ(part.verdict, record::Verdict::kDoesNotCompile);
+  EXPECT_NE(part.message.find("part3_lambertian.cpp:1:9"), std::string::npos) << part.message;
+  EXPECT_EQ(part.message.find(folder_.path().string()), std::string::npos) << part.message;
+  EXPECT_EQ(judged.record.parts.at(1).verdict, record::Verdict::kOk);
+}
+
+TEST_F(JudgeTest, AMissingFileIsNotWritten) {
+  Judge judge(onlyPart(6), nullptr);
+  const fs::path place = submission();
+  fs::remove(place / "part6_roulette.cpp");
+  const Judged judged = judge.judge(place, 2, kGoOn);
+  EXPECT_EQ(judged.record.parts.at(0).verdict, record::Verdict::kNotWritten);
+}
+
+TEST_F(JudgeTest, ACrashIsToldWithItsFunctionAndLine) {
+  Judge judge(onlyPart(6), nullptr);
+  const Judged judged = judge.judge(
+      submission("part6_roulette.cpp",
+                 "#include <pathmark/coursework.h>\n"
+                 "namespace pathmark {\n"
+                 "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+                 "  volatile int* nowhere = nullptr;\n"
+                 "  return {*nowhere == 0, 1.0f};\n"
+                 "}\n"
+                 "}\n"),
+      2, kGoOn);
+  const record::PartRecord& part = judged.record.parts.at(0);
+  EXPECT_EQ(part.verdict, record::Verdict::kCrashed);
+  const auto broken = std::find_if(
+      part.functions.at(0).checks.begin(), part.functions.at(0).checks.end(),
+      [](const record::CheckRecord& c) { return c.verdict == record::Verdict::kCrashed; });
+  ASSERT_NE(broken, part.functions.at(0).checks.end());
+  EXPECT_EQ(broken->got.find("part6_roulette.cpp:5, in LitScene::RussianRoulette"), 0u)
+      << broken->got;
+  EXPECT_NE(part.pictures.at(0).failure, "");
+}
+
+TEST_F(JudgeTest, StopsWhereItIsToldTo) {
+  Judge judge(onlyPart(5), nullptr);
+  int asked = 0;
+  EXPECT_THROW(judge.judge(submission(), 2, [&](double) { return ++asked < 5; }), Interrupted);
+}
+
+TEST_F(JudgeTest, WhatIsNotDoneInTimeIsSaid) {
+  JudgeOptions options = onlyPart(5);
+  options.secondsAtMost = 0.05;
+  Judge judge(options, nullptr);
+  const Judged judged = judge.judge(submission(), 1, kGoOn);
+  EXPECT_EQ(judged.record.parts.at(0).verdict, record::Verdict::kTimeLimit);
+}
+
+}  // namespace pathmark::grading

@@ -1,0 +1,126 @@
+// The statistics of pictures, on noise whose truth is known.
+#include "marking/picture_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace pathmark::marking {
+
+namespace {
+
+constexpr int kSide = 64;
+constexpr std::uint32_t kReplicates = 64;
+
+// The mean of exponential replicates around `level` times `factor`, as skewed as a path tracer's,
+// and what their differences tell of it.
+Measured noisy(double factor, double noise, std::uint64_t seed, double rays = 1e6) {
+  std::mt19937_64 random(seed);
+  std::exponential_distribution<double> draw(1.0);
+  Measured result{{kSide, kSide, {}, {}, {}}, rays, kReplicates};
+  for (int pixel = 0; pixel < kSide * kSide; ++pixel)
+    for (int c = 0; c < 3; ++c) {
+      const double level = factor * (1.0 + c + pixel % kSide / static_cast<double>(kSide));
+      double sum = 0.0, squares = 0.0;
+      for (std::uint32_t r = 0; r < kReplicates; ++r) {
+        const double x = level * (1.0 + noise * (draw(random) - 1.0));
+        sum += x;
+        squares += x * x;
+      }
+      const double n = kReplicates, mean = sum / n;
+      result.image.rgb.push_back(static_cast<float>(mean));
+      result.image.variance.push_back(
+          static_cast<float>((squares - n * mean * mean) / (n - 1.0) / n));
+    }
+  return result;
+}
+
+// How many of `trials` intervals miss the truth, and how many may do so: declared is 1 %; with that
+// probability more than the bound happens once in 1e6 (binomial tail, 100 trials).
+constexpr int kTrials = 100, kMostMisses = 8;
+
+template <class Make>
+int misses(double truth, Make make) {
+  int count = 0;
+  for (int k = 0; k < kTrials; ++k) {
+    const record::Estimate e = make(static_cast<std::uint64_t>(2 * k + 1));
+    if (truth < e.low || truth > e.high) ++count;
+    EXPECT_LE(e.low, e.value);
+    EXPECT_LE(e.value, e.high);
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST(PictureStatistics, BiasOfASlightlyBrighterPictureIsWithinItsInterval) {
+  // Every tile is 2 % brighter; relative to the channel's mean, a tile of brightness b counts with
+  // 0.02 b / mean: the root mean square over channels and tiles.
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const double mean = 1.0 + c + (kSide - 1) / 2.0 / kSide;
+    for (int tile = 0; tile < kSide / 8; ++tile) {
+      const double level = 1.0 + c + (8 * tile + 3.5) / kSide;
+      sum += level * level / (mean * mean) / (3.0 * kSide / 8);
+    }
+  }
+  const double truth = 0.02 * std::sqrt(sum);
+  EXPECT_LE(misses(truth,
+                   [](std::uint64_t seed) {
+                     return tileBias(noisy(1.02, 0.5, seed).image, noisy(1.0, 0.5, seed + 1).image);
+                   }),
+            kMostMisses);
+}
+
+TEST(PictureStatistics, NoiseAloneIsNoBias) {
+  int aboveZero = 0;
+  for (std::uint64_t k = 0; k < kTrials; ++k) {
+    const record::Estimate e =
+        tileBias(noisy(1.0, 2.0, 2 * k + 1).image, noisy(1.0, 2.0, 2 * k + 2).image);
+    if (e.low > 0.0) ++aboveZero;
+  }
+  EXPECT_LE(aboveZero, kMostMisses);
+}
+
+TEST(PictureStatistics, ABlackPictureIsOffByItsBrightness) {
+  const Measured reference = noisy(1.0, 0.1, 1);
+  Image black = reference.image;
+  std::fill(black.rgb.begin(), black.rgb.end(), 0.0f);
+  std::fill(black.variance.begin(), black.variance.end(), 0.0f);
+  EXPECT_NEAR(tileBias(black, reference.image).value, 1.0, 0.05);
+  EXPECT_NEAR(meanErrors(black, reference.image)[0].value, -1.0, 1e-6);
+}
+
+TEST(PictureStatistics, MeanErrorsAreWithinTheirIntervals) {
+  EXPECT_LE(misses(0.01,
+                   [](std::uint64_t seed) {
+                     return meanErrors(noisy(1.01, 0.5, seed).image,
+                                       noisy(1.0, 0.5, seed + 1).image)[1];
+                   }),
+            kMostMisses);
+}
+
+TEST(PictureStatistics, EfficiencyCountsNoiseAndRays) {
+  // Twice the deviation is a quarter of the efficiency; at twice the rays an eighth.
+  EXPECT_LE(misses(0.125,
+                   [](std::uint64_t seed) {
+                     return efficiencyOver(noisy(1.0, 0.8, seed, 2e6), noisy(1.0, 0.4, seed + 1));
+                   }),
+            kMostMisses);
+}
+
+TEST(PictureStatistics, PValuesOfNoiseAloneAreFlat) {
+  const std::vector<std::uint32_t> bins = pValueHistogram(noisy(1.0, 0.5, 1), noisy(1.0, 0.5, 2));
+  double sum = 0.0;
+  for (const std::uint32_t n : bins) sum += n;
+  EXPECT_EQ(sum, 3.0 * kSide * kSide);
+  // Skewed noise bends the ends a little.
+  for (const std::uint32_t n : bins)
+    EXPECT_NEAR(n / sum, 1.0 / static_cast<double>(bins.size()), 0.02);
+  const std::vector<std::uint32_t> shifted =
+      pValueHistogram(noisy(1.2, 0.5, 1), noisy(1.0, 0.5, 2));
+  EXPECT_GT(shifted.front(), 5 * bins.front());
+}
+
+}  // namespace pathmark::marking
