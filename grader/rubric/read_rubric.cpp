@@ -4,6 +4,7 @@
 #include "rubric/rubric.h"
 #include "scene/json_object.h"
 #include "scene/json_text.h"
+#include "scene/load_scene.h"
 #include "scene/read_text.h"
 #include "worker/contract.h"
 
@@ -235,14 +236,18 @@ std::filesystem::path defaultRubric() {
 }
 
 Rubric readRubric(const std::filesystem::path& file) {
-  const SceneSource source{file, readText(file, "a rubric is a JSON file")};
-  checkSyntax(source);
-  json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
-  const Place top(source);
-  Rubric rubric = readTop(value, top);
-  value.erase("$schema");
-  rubric.hash = contentHash(value.dump());  // without spaces and comments, keys sorted
-  return rubric;
+  try {
+    const SceneSource source{file, readText(file, "a rubric is a JSON file")};
+    checkSyntax(source);
+    json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
+    const Place top(source);
+    Rubric rubric = readTop(value, top);
+    value.erase("$schema");
+    rubric.hash = contentHash(value.dump());  // without spaces and comments, keys sorted
+    return rubric;
+  } catch (const SceneError& error) {
+    throw RubricError(error.what());
+  }
 }
 
 }  // namespace pathmark::rubric

@@ -15,10 +15,17 @@
 
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace pathmark::rubric {
+
+// One sentence for a person: file, line, JSON pointer, what was found, what is allowed.
+class RubricError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 // Parts are numbered as in Marks.
 inline constexpr int kScenesPart = 7, kWholePart = 8;
@@ -65,7 +72,7 @@ struct Rubric {
 
 std::filesystem::path defaultRubric();  // the file rubric.json beside this one
 
-// Throws SceneError, as for a scene: file, line, JSON pointer, what was found, what is allowed.
+// Throws RubricError.
 Rubric readRubric(const std::filesystem::path& file);
 
 inline const std::string& rubricHash(const Rubric& rubric) { return rubric.hash; }

@@ -1,7 +1,6 @@
 // Rubric files: what is refused, and the schema that editors go by.
 #include "checks/all_checks.h"
 #include "rubric/rubric.h"
-#include "scene/load_scene.h"
 #include "support/test_coursework_files.h"
 #include "worker/contract.h"
 
@@ -47,7 +46,7 @@ class RubricFile : public testing::Test {
   std::string refusal(const std::string& text) const {
     try {
       read(text);
-    } catch (const SceneError& error) {
+    } catch (const RubricError& error) {
       const std::string sentence = error.what();
       const std::string folder = folder_.path().string() + "/";
       return sentence.starts_with(folder) ? sentence.substr(folder.size()) : sentence;
@@ -161,7 +160,7 @@ TEST_F(RubricFile, EachMistakeHasItsSentence) {
 }
 
 TEST_F(RubricFile, AFileThatIsNotThereIsNamed) {
-  EXPECT_THROW(readRubric(folder_ / "gone.json"), SceneError);
+  EXPECT_THROW(readRubric(folder_ / "gone.json"), RubricError);
 }
 
 // Of everything that may stand in a rubric.
