@@ -357,18 +357,17 @@ LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int>
 
 LinkedWorker linkWithOthers(const CourseworkBuild& build, std::span<const int> parts,
                             const CourseworkBuild& others) {
-  const std::vector<std::string> framework = frameworkObjects();
-  std::vector<fs::path> objects;
+  LinkInputs inputs{frameworkObjects(), {}, Linking::kStrict, build.confinement};
   for (const PartBuild& part : build.parts) {
     const bool own = std::find(parts.begin(), parts.end(), part.part.part) != parts.end();
     const CourseworkBuild& from = own ? build : others;
     const PartBuild& chosen = from.parts.at(static_cast<std::size_t>(part.part.part));
     if (!chosen.compiled)
       return {{}, fmt::format("{} does not compile.", displayPath(chosen.source))};
-    objects.push_back(chosen.object);
+    inputs.coursework.push_back(chosen.object);
   }
-  const fs::path folder = linkedFolder(framework, objects);
-  const std::string messages = linkInto(folder, framework, objects, Linking::kStrict);
+  const fs::path folder = linkedFolder(inputs);
+  const std::string messages = linkInto(folder, inputs);
   if (messages.empty()) return {folder / "worker", {}};
   return {{}, linkFailure(build.folder, messages)};
 }
