@@ -12,7 +12,7 @@ Colour lambertianBRDF::brdf(const Vector& wo, const Vector& wi, const Vector& n)
 }
 
 float lambertianBRDF::pdf(const Vector&, const Vector& wi, const Vector& n) const {
-  return dot(wi, n) > 0.0f ? kUniformDensity : 0.0f;
+  return dot(wi, n) <= 0.0f ? 0.0f : kUniformDensity;
 }
 
 DirectionSample lambertianBRDF::reflection(const Vector& wo, const Vector& n, float s, float t,

@@ -1,0 +1,82 @@
+// Passages: does a file quote a hidden one?
+//
+//   Squeezed      text without what can be changed and still be a quotation
+//   squeeze       from text, or from any bytes
+//   afterPatch    what the lines of a patch become;  beforePatch  what they were
+//   Passages      the hidden texts, to be looked for
+//
+// A quotation is a run of letters that a hidden text has too, white space not counted. So it does
+// not matter how lines are broken or indented, nor what surrounds them: prose, a comment, or the
+// bytes of a picture. This is Rabin and Karp's search for many words of one length, as in
+// Schleimer, Wilkerson & Aiken, "Winnowing", SIGMOD 2003, without their sampling.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace pathmark::kit {
+
+// About three lines. No function of the coursework is shorter when it is written; public text and
+// answers have up to 93 letters in common, where a declaration meets the beginning of a body.
+inline constexpr std::size_t kAnswerLetters = 100;
+
+// About ten lines, for what is hidden and is no answer: programs that do similar things have up to
+// 250 letters in common.
+inline constexpr std::size_t kOtherLetters = 400;
+
+struct Squeezed {
+  std::string letters;
+  std::vector<int> lines;  // of each letter, counted from 1
+};
+
+enum class Comments { kKept, kDropped };
+
+// Leaves out white space, the marks of comments and quotations at the front of lines, and lines
+// that are the same everywhere, such as those that include or that only close a brace.
+Squeezed squeeze(std::string_view text, Comments comments);
+
+std::string afterPatch(std::string_view patch);
+std::string beforePatch(std::string_view patch);
+
+struct Quotation {
+  int line = 0;  // of the text that was searched
+  std::string hiddenFile;
+  int hiddenLine = 0;
+};
+
+class Passages {
+ public:
+  // Runs of this many letters are quotations.
+  explicit Passages(std::size_t letters) : letters_(letters) {}
+
+  // What may be quoted; to be said before anything is hidden.
+  void allow(std::string_view text);
+  void hide(const std::string& file, std::string_view text);
+
+  // All quotations of a text, one for each run.
+  std::vector<Quotation> find(std::string_view text) const;
+
+ private:
+  struct Place {
+    std::uint32_t text = 0, letter = 0;
+  };
+  struct Hidden {
+    std::string file;
+    Squeezed squeezed;
+  };
+
+  bool isAt(const Place& place, std::string_view letters) const;
+  void findIn(const Squeezed& text, std::vector<Quotation>& found) const;
+
+  std::size_t letters_;
+  std::vector<Hidden> texts_;
+  std::unordered_set<std::uint64_t> allowed_;
+  std::unordered_map<std::uint64_t, Place> places_;
+};
+
+}  // namespace pathmark::kit
