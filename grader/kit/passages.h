@@ -21,9 +21,9 @@
 
 namespace pathmark::kit {
 
-// About three lines. No function of the coursework is shorter when it is written; public text and
-// answers have up to 93 letters in common, where a declaration meets the beginning of a body.
-inline constexpr std::size_t kAnswerLetters = 100;
+// About three lines. The shortest function of the solutions has 112 letters, and the longest
+// declaration of one, which is public, has 97.
+inline constexpr std::size_t kAnswerLetters = 110;
 
 // About ten lines, for what is hidden and is no answer: programs that do similar things have up to
 // 250 letters in common.
