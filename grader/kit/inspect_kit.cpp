@@ -5,6 +5,7 @@
 #include "kit/file_kind.h"
 #include "kit/passages.h"
 #include "kit/project_files.h"
+#include "kit/quoted_lines.h"
 #include "worker/contract.h"
 
 #include <fmt/format.h>
@@ -27,35 +28,46 @@ class HiddenFiles {
  public:
   explicit HiddenFiles(const KitPlan& plan) {
     for (const KitFile& file : plan.files)
-      if (file.from.starts_with("solutions/")) {
-        answers_.allow(readFile(plan.project / file.from));
-        others_.allow(readFile(plan.project / file.from));
-      }
-    for (const std::string& file : plan.answers) add(plan.project, file, answers_);
-    for (const std::string& file : plan.hidden) add(plan.project, file, others_);
+      if (file.from.starts_with("solutions/")) allow(readFile(plan.project / file.from));
+    for (const std::string& file : plan.answers) hide(plan.project, file, true);
+    for (const std::string& file : plan.hidden) hide(plan.project, file, false);
   }
 
   void search(const std::string& name, std::string_view content,
               std::vector<std::string>& findings) const {
     if (const auto copy = copies_.find(contentHash(content)); copy != copies_.end())
       findings.push_back(fmt::format("{} is a copy of {}, which is hidden.", name, copy->second));
-    for (const Passages* passages : {&answers_, &others_})
-      for (const Quotation& q : passages->find(content))
-        findings.push_back(fmt::format("{}:{} quotes {}:{}, which is hidden.", name, q.line,
-                                       q.hiddenFile, q.hiddenLine));
+    std::vector<Quotation> quotations = answers_.find(content);
+    if (quotations.empty()) quotations = answerLines_.find(content);
+    if (quotations.empty()) quotations = others_.find(content);
+    for (const Quotation& q : quotations)
+      findings.push_back(fmt::format("{}:{} quotes {}:{}, which is hidden.", name, q.line,
+                                     q.hiddenFile, q.hiddenLine));
   }
 
  private:
-  void add(const fs::path& project, const std::string& file, Passages& passages) {
+  void allow(std::string_view text) {
+    answers_.allow(text);
+    answerLines_.allow(text);
+    others_.allow(text);
+  }
+
+  void hide(const fs::path& project, const std::string& file, bool isAnswer) {
     if (!fs::is_regular_file(project / file)) return;
     const std::string content = readFile(project / file);
     if (content.size() >= kLeastBytesOfACopy) copies_.try_emplace(contentHash(content), file);
-    if (!file.ends_with(".patch")) return passages.hide(file, content);
-    passages.hide(file, afterPatch(content));
-    passages.hide(file, beforePatch(content));
+    if (!file.ends_with(".patch")) return hideText(file, content, isAnswer);
+    hideText(file, afterPatch(content), isAnswer);
+    hideText(file, beforePatch(content), isAnswer);
+  }
+
+  void hideText(const std::string& file, std::string_view text, bool isAnswer) {
+    (isAnswer ? answers_ : others_).hide(file, text);
+    if (isAnswer) answerLines_.hide(file, text);
   }
 
   Passages answers_{kAnswerLetters}, others_{kOtherLetters};
+  QuotedLines answerLines_;
   std::map<std::string, std::string> copies_;  // content hash -> hidden file
 };
 

@@ -90,6 +90,12 @@ KitPlan planKit(const fs::path& project, int releasedThrough) {
     const bool isAnswer = lineFor(manifest.answers, file) != nullptr;
     (isAnswer ? plan.answers : plan.hidden).push_back(file);
   }
+  // What is in several of them is said to be of the first.
+  const auto line = [&](const std::string& file) {
+    return lineFor(manifest.answers, file)->number;
+  };
+  std::stable_sort(plan.answers.begin(), plan.answers.end(),
+                   [&](const std::string& a, const std::string& b) { return line(a) < line(b); });
   return plan;
 }
 

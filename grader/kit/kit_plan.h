@@ -23,7 +23,8 @@ struct KitPlan {
   std::filesystem::path project;
   int releasedThrough = kNothingReleased;
   std::vector<KitFile> files;        // sorted by name
-  std::vector<std::string> answers;  // hidden files that may not even be quoted
+  std::vector<std::string> answers;  // hidden files of which nothing may be quoted, sorted by lines
+                                     // of contents.txt
   std::vector<std::string> hidden;   // all others that are not in the kit
 };
 

@@ -1,15 +1,12 @@
-// Passages: does a file quote a hidden one?
-//
-//   Squeezed      text without what can be changed and still be a quotation
-//   squeeze       from text, or from any bytes
-//   afterPatch    what the lines of a patch become;  beforePatch  what they were
-//   Passages      the hidden texts, to be looked for
+// Passages: does a file quote a hidden one, however it is laid out?
 //
 // A quotation is a run of letters that a hidden text has too, white space not counted. So it does
 // not matter how lines are broken or indented, nor what surrounds them: prose, a comment, or the
 // bytes of a picture. This is Rabin and Karp's search for many words of one length, as in
 // Schleimer, Wilkerson & Aiken, "Winnowing", SIGMOD 2003, without their sampling.
 #pragma once
+
+#include "kit/quotation.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,26 +26,6 @@ inline constexpr std::size_t kAnswerLetters = 110;
 // 250 letters in common.
 inline constexpr std::size_t kOtherLetters = 400;
 
-struct Squeezed {
-  std::string letters;
-  std::vector<int> lines;  // of each letter, counted from 1
-};
-
-enum class Comments { kKept, kDropped };
-
-// Leaves out white space, the marks of comments and quotations at the front of lines, and lines
-// that are the same everywhere, such as those that include or that only close a brace.
-Squeezed squeeze(std::string_view text, Comments comments);
-
-std::string afterPatch(std::string_view patch);
-std::string beforePatch(std::string_view patch);
-
-struct Quotation {
-  int line = 0;  // of the text that was searched
-  std::string hiddenFile;
-  int hiddenLine = 0;
-};
-
 class Passages {
  public:
   // Runs of this many letters are quotations.
@@ -65,16 +42,17 @@ class Passages {
   struct Place {
     std::uint32_t text = 0, letter = 0;
   };
-  struct Hidden {
-    std::string file;
-    Squeezed squeezed;
+  struct Text {
+    std::string file, letters;
+    std::vector<int> lines;  // of each letter
   };
 
+  static Text squeeze(const std::string& file, std::string_view text, Comments comments);
   bool isAt(const Place& place, std::string_view letters) const;
-  void findIn(const Squeezed& text, std::vector<Quotation>& found) const;
+  void findIn(const Text& text, std::vector<Quotation>& found) const;
 
   std::size_t letters_;
-  std::vector<Hidden> texts_;
+  std::vector<Text> texts_;
   std::unordered_set<std::uint64_t> allowed_;
   std::unordered_map<std::uint64_t, Place> places_;
 };
