@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <system_error>
 
 namespace pathmark::kit {
@@ -62,17 +63,7 @@ void refuseWhatIsThere(const KitPlan& plan, const fs::path& destination) {
                                  displayPath(destination)));
 }
 
-}  // namespace
-
-fs::path unfinishedFolder(const fs::path& destination) {
-  const fs::path normal = fs::absolute(destination).lexically_normal();
-  const fs::path whole = normal.has_filename() ? normal : normal.parent_path();
-  return whole.parent_path() /
-         fmt::format(".{}.pathmark-kit-unfinished", whole.filename().string());
-}
-
-WrittenKit writeKit(const KitPlan& plan, const fs::path& destination, const GoOn& goOn) {
-  refuseWhatIsThere(plan, destination);
+WrittenKit writeAndInspect(const KitPlan& plan, const fs::path& destination, const GoOn& goOn) {
   UnfinishedFolder folder(unfinishedFolder(destination));
   for (const KitFile& file : plan.files) {
     const fs::path to = folder.path() / file.name;
@@ -87,6 +78,25 @@ WrittenKit writeKit(const KitPlan& plan, const fs::path& destination, const GoOn
   folder.takeName(destination);
   written.outcome = KitOutcome::kWritten;
   return written;
+}
+
+}  // namespace
+
+fs::path unfinishedFolder(const fs::path& destination) {
+  const fs::path normal = fs::absolute(destination).lexically_normal();
+  const fs::path whole = normal.has_filename() ? normal : normal.parent_path();
+  return whole.parent_path() /
+         fmt::format(".{}.pathmark-kit-unfinished", whole.filename().string());
+}
+
+WrittenKit writeKit(const KitPlan& plan, const fs::path& destination, const GoOn& goOn) {
+  refuseWhatIsThere(plan, destination);
+  try {
+    return writeAndInspect(plan, destination, goOn);
+  } catch (const fs::filesystem_error& e) {
+    throw std::runtime_error(fmt::format("The kit cannot be written to {}: {}.",
+                                         displayPath(destination), e.code().message()));
+  }
 }
 
 }  // namespace pathmark::kit

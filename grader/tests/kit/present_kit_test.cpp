@@ -121,6 +121,29 @@ TEST_F(PresentKit, HasEveryFileThatItsSourcesInclude) {
   EXPECT_GT(found, 1000);
 }
 
+TEST_F(PresentKit, HasWhatItsChaptersLinkTo) {
+  const std::regex link("\\]\\(([^)#:]+)[)#]");
+  int found = 0;
+  for (const fs::path& file : filesOf(kit())) {
+    if (file.extension() != ".md") continue;
+    const std::string text = kit::readFile(file);
+    for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+      const std::string target = (*match)[1];
+      EXPECT_TRUE(fs::exists(file.parent_path() / target)) << file << " links to " << target;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 20);
+}
+
+TEST_F(PresentKit, TellsOfNoCommandThatItDoesNotHave) {
+  const std::regex command("pathmark (kit|study|grade)\\b");
+  for (const fs::path& file : filesOf(kit())) {
+    if (file.extension() != ".md" && file.extension() != ".json") continue;
+    EXPECT_FALSE(std::regex_search(kit::readFile(file), command)) << file;
+  }
+}
+
 TEST_F(PresentKit, CanBeConfiguredAndItsStubsCompile) {
   const TemporaryFolder build;
   ProcessRequest request;
@@ -168,6 +191,10 @@ TEST(KitCommand, RefusesPartsThatDoNotExist) {
                "allowed is a whole number from 0 to 7");
   EXPECT_EQ(kitCommand({}).exitCode, 2);
   EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(KitCommand, SaysWhereItCannotWrite) {
+  expectSays(kitCommand({"/proc/kit"}), 3, "The kit cannot be written to /proc/kit: ");
 }
 
 TEST(KitCommand, HelpCarriesExamples) { expectSays(kitCommand({"--help"}), 0, "Examples:"); }
