@@ -15,19 +15,28 @@ bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 // Every file of the project begins and ends with such lines. Longer ones may hold more.
 bool isTheSameEverywhere(std::string_view letters) {
   constexpr std::size_t kLongest = 60;
-  constexpr std::array kBeginnings = std::to_array<std::string_view>(
-      {"include<", "include\"", "pragmaonce", "namespace", "usingnamespace"});
+  constexpr std::array kBeginnings =
+      std::to_array<std::string_view>({"include", "pragmaonce", "namespace", "usingnamespace"});
   return std::none_of(letters.begin(), letters.end(), isWord) ||
          (letters.size() <= kLongest &&
           std::any_of(kBeginnings.begin(), kBeginnings.end(),
                       [&](std::string_view b) { return letters.starts_with(b); }));
 }
 
+// Code in a string has quotation marks around it and its line breaks written out.
 std::string lettersOf(std::string_view line) {
-  constexpr std::string_view kMarks = "/*>+#|-";
+  constexpr std::string_view kMarksAtTheFront = "/*>+#|-";
   std::string letters;
-  for (const char c : line)
-    if (!isSpace(c) && (!letters.empty() || kMarks.find(c) == std::string_view::npos)) letters += c;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (line.substr(k, 2) == "\\n" || line.substr(k, 2) == "\\t" || line.substr(k, 2) == "\\\"") {
+      ++k;
+      continue;
+    }
+    if (isSpace(c) || c == '"') continue;
+    if (letters.empty() && kMarksAtTheFront.find(c) != std::string_view::npos) continue;
+    letters += c;
+  }
   return letters;
 }
 

@@ -19,8 +19,8 @@ struct Line {
 
 enum class Comments { kKept, kDropped };
 
-// Leaves out white space, the marks of comments and quotations at the front of lines, and lines
-// such as those that include or that only close a brace.
+// Leaves out white space, the marks of comments and quotations at the front of lines, those of
+// strings, and lines such as those that include or that only close a brace.
 std::vector<Line> linesOf(std::string_view text, Comments comments);
 
 // Lines keep their numbers.

@@ -90,6 +90,18 @@ TEST(KitHiddenText, IsFoundInCommentsAndAsAQuotation) {
   }
 }
 
+TEST(KitHiddenText, IsFoundInStrings) {
+  for (const char* lineBreak : {"\\n", "\\n\"\n    \""}) {
+    SCOPED_TRACE(lineBreak);
+    const SmallProject project;
+    const std::string code = solved(project, "phongBRDF::reflection");
+    project.append(kHandout, "{\"hint\": \"");
+    project.append(kHandout, std::regex_replace(code, std::regex("\n"), lineBreak));
+    project.append(kHandout, "\"}\n");
+    project.expectRefused("quotes solutions/part4_phong.cpp:");
+  }
+}
+
 TEST(KitHiddenText, IsFoundWithCommentsTakenOutOrPutIn) {
   const SmallProject without;
   without.append(kHandout, std::regex_replace(without.read("solutions/part6_roulette.cpp"),
