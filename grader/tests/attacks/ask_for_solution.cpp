@@ -1,5 +1,5 @@
 // Attack: asks the preprocessor whether the solution is there
-// Expected: ok
+// Expected: ok or does not compile
 #if __has_include("@ROOT@/solutions/part6_roulette.cpp") || __has_include("/etc/passwd")
 #error It is there.
 #endif

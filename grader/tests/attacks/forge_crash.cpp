@@ -1,5 +1,5 @@
 // Attack: writes a crash record of its own
-// Expected: crashed
+// Expected: crashed or forbidden call
 #include <pathmark/coursework.h>
 
 #include <unistd.h>

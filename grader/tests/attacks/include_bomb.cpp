@@ -1,6 +1,7 @@
 // Attack: includes itself without end
 // Expected: does not compile
-#include __FILE__
+// Says: nested
+#include "part6_roulette.cpp"
 #include <pathmark/coursework.h>
 
 namespace pathmark {

@@ -1,6 +1,5 @@
 // Attack: includes a file of the machine, so that the compiler quotes it
 // Expected: does not compile
-// Says: No such file
 #include "@CANARY@/canary"
 #include <pathmark/coursework.h>
 

@@ -2,10 +2,10 @@
 // Expected: ok
 #if __INCLUDE_LEVEL__ < 13
 #pragma message "again, and again, and again, and again, and again, and again, and again, and again"
-#include __FILE__
+#include "part6_roulette.cpp"
 #pragma message "again, and again, and again, and again, and again, and again, and again, and again"
 #if __INCLUDE_LEVEL__ < 12
-#include __FILE__
+#include "part6_roulette.cpp"
 #endif
 #endif
 #if __INCLUDE_LEVEL__ == 0

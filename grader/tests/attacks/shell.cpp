@@ -1,5 +1,6 @@
 // Attack: runs a shell
-// Expected: forbidden call clone
+// Expected: forbidden call
+// Says: SIGSYS
 #include <pathmark/coursework.h>
 
 #include <cstdlib>
