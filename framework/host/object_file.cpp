@@ -116,6 +116,9 @@ std::optional<std::string> objectComplaint(std::span<const std::byte> bytes) {
     if (name.starts_with(".gnu.lto_") || name.starts_with(".gnu.offload_lto_"))
       return "the object file has code for link-time optimisation, and coursework is plain machine "
              "code";
+    if (name == ".interp")
+      return "the object file names a program to load it with, and coursework is loaded by the "
+             "system's";
     if (here->sh_type == SHT_PREINIT_ARRAY || name.starts_with(".preinit_array") ||
         (here->sh_type == SHT_SYMTAB && hasEarlyFunction(bytes, *here)))
       return "the coursework has a function that runs before the program begins; only functions "

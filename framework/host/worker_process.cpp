@@ -385,16 +385,11 @@ void WorkerProcess::failDead() {
   while ((process_.text.get() >= 0 || process_.crash.get() >= 0) && Clock::now() < deadline)
     pump(kPollMilliseconds, 0);
   // One that still runs has closed the socket.
-  const bool alive = !awaitEnd(process_.pid, Clock::now() + std::chrono::milliseconds(500));
+  const bool alive = !awaitEnd(process_.pid, deadline + std::chrono::seconds(1));
   const bool relayed = process_.innerHandle.get() >= 0;
   killInner(process_.innerHandle);
   kill(-process_.pid, SIGKILL);
   const WorkerEnd end = endOf(reap(), relayed);
-  if (process_.startFailure)
-    if (const std::string failure = process_.startFailure(); !failure.empty()) {
-      closeAll();
-      throw ConfinementError(failure);
-    }
   if (crashRecord_)
     fail(faultOf(*crashRecord_),
          crashSentence(*crashRecord_, options_.program, options_.courseworkFolder,
@@ -403,6 +398,9 @@ void WorkerProcess::failDead() {
     fail(WorkerFault::kNonsense,
          "The worker has closed its wire to the host: coursework must not close files that it has "
          "not opened.");
+  if (process_.startFailure)
+    if (const std::string failure = process_.startFailure(); !failure.empty())
+      throw ConfinementError(failure);
   if (end.signal)
     fail(faultOfSignal(*end.signal),
          fmt::format("The coursework was ended by {}.", signalName(*end.signal)));

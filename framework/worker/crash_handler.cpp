@@ -82,12 +82,14 @@ void send(const CrashRecord& record) {
   [[maybe_unused]] const ssize_t written = write(kWorkerCrashPipe, &record, sizeof record);
 }
 
+// The first process of a namespace survives its own signals; it then ends by the worker's lock,
+// which refuses _exit with a signal that is blocked.
 [[noreturn]] void dieOf(int signal) {
   ::signal(signal, SIG_DFL);
-  sigset_t only;
-  sigemptyset(&only);
-  sigaddset(&only, signal);
-  pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
+  sigset_t others;
+  sigfillset(&others);
+  sigdelset(&others, signal);
+  pthread_sigmask(SIG_SETMASK, &others, nullptr);
   raise(signal);
   _exit(128 + signal);
 }

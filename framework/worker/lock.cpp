@@ -40,9 +40,13 @@ class Filter {
     add(BPF_RET | BPF_K, SECCOMP_RET_TRAP);
   }
 
-  // With this value of its first argument, or with any other.
-  void refuseIf(long call, std::uint32_t value) { refuse(call, value, true); }
-  void refuseUnless(long call, std::uint32_t value) { refuse(call, value, false); }
+  // With this value of an argument, or with any other.
+  void refuseIf(long call, std::size_t argument, std::uint32_t value) {
+    refuse(call, argument, value, true);
+  }
+  void refuseUnless(long call, std::size_t argument, std::uint32_t value) {
+    refuse(call, argument, value, false);
+  }
 
   bool install() {
     add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
@@ -58,9 +62,10 @@ class Filter {
   void load(std::size_t offset) {
     add(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset));
   }
-  void refuse(long call, std::uint32_t value, bool whenEqual) {
+  void refuse(long call, std::size_t argument, std::uint32_t value, bool whenEqual) {
     add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 4);
-    load(offsetof(seccomp_data, args));  // the lower half: both processors are little-endian
+    // The lower half: both processors are little-endian.
+    load(offsetof(seccomp_data, args) + 8 * argument);
     add(BPF_JMP | BPF_JEQ | BPF_K, value, whenEqual ? 0 : 1, whenEqual ? 1 : 0);
     add(BPF_RET | BPF_K, SECCOMP_RET_TRAP);
     load(offsetof(seccomp_data, nr));
@@ -81,10 +86,12 @@ bool lockWorker() {
                           SYS_faccessat2, SYS_readlinkat, SYS_statx, SYS_prctl, SYS_seccomp})
     filter.refuse(call);
   // The handler that reports all this stays, and signals stay within the process.
-  filter.refuseIf(SYS_rt_sigaction, SIGSYS);
-  filter.refuseUnless(SYS_tgkill, static_cast<std::uint32_t>(getpid()));
+  filter.refuseIf(SYS_rt_sigaction, 0, SIGSYS);
+  filter.refuseUnless(SYS_tgkill, 0, static_cast<std::uint32_t>(getpid()));
+  // A worker that kills itself would look as if memory had run out.
+  filter.refuseIf(SYS_tgkill, 2, SIGKILL);
   // The end of main() is the only one.
-  filter.refuseUnless(SYS_exit_group, 0);
+  filter.refuseUnless(SYS_exit_group, 0, 0);
   return filter.install();
 }
 

@@ -22,6 +22,8 @@ constexpr rlim_t kWorkerThreads = 512;  // 256 render, and Embree has its own
 constexpr rlim_t kToolProcesses = 128;  // linkers have threads
 constexpr rlim_t kOthersMargin = 4096;  // that the same user may start meanwhile
 constexpr rlim_t kWorkerSeconds = 3600;
+// A worker can write no files; bubblewrap makes a copy of its program.
+constexpr rlim_t kProgramBytes = rlim_t{256} << 20;
 
 void allowMemory(std::vector<Limit>& limits, std::size_t bytes) {
   // Sanitizers reserve far more address space than they use.
@@ -46,7 +48,7 @@ rlim_t ShutIn::processes(rlim_t own) const {
 std::vector<Limit> ShutIn::workerLimits(std::size_t memoryBytes) const {
   std::vector<Limit> limits{{RLIMIT_CORE, 0},
                             {RLIMIT_STACK, kStackBytes},
-                            {RLIMIT_FSIZE, 0},
+                            {RLIMIT_FSIZE, kProgramBytes},
                             {RLIMIT_NOFILE, 64},
                             {RLIMIT_MEMLOCK, 0},
                             {RLIMIT_CPU, kWorkerSeconds},

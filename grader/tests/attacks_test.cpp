@@ -1,17 +1,16 @@
-// Real attacks, on every tier of the sandbox: none reaches anything, each is told as what it is,
-// and the grader goes on.
+// The attacks in attacks/, each a part 6 of its own, on every tier that this machine has: each
+// fails, is reported as what it is, changes nothing outside, and leaves the host alive.
 //
-// An attack is a file of attacks/ with two lines for a head:
+// A file begins with what it tries and what must become of it:
 //
-//   // Attack: what it wants
-//   // Verdict: what must come of it, or several that may
+//   // Attack: reads the list of users with a stream
+//   // Expected: forbidden call openat
+//   // Says: /etc/passwd
 //
-// It stands in for part 6. One that does not define the part's function defines attack(), which a
-// right one calls.
+// @CANARY@ stands for a folder that everybody may read and write, with a file "canary"; @ROOT@ for
+// the project's folder; @HOST@ for the number of this process.
 #include "checks/runner.h"
-#include "grading/record_results.h"
-#include "record/record.h"
-#include "support/coursework_copy.h"
+#include "host/coursework_builder.h"
 #include "support/sandbox_tiers.h"
 #include "support/test_coursework_files.h"
 
@@ -19,31 +18,26 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <random>
-#include <sstream>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace pathmark::test {
 namespace {
 
 namespace fs = std::filesystem;
+using sandbox::Tier;
 
 const fs::path kAttacks = fs::path(PATHMARK_ROOT) / "grader/tests/attacks";
 constexpr const char* kFile = "part6_roulette.cpp";
-constexpr int kPart = 6;
-
-constexpr const char* kRightFunction = R"(
-namespace pathmark {
-Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
-  attack();
-  const float largest = glm::max(throughput.x, glm::max(throughput.y, throughput.z));
-  if (!(largest > 0.0f)) return {false, 0.0f};
-  const float q = glm::clamp(largest, 0.05f, 0.95f);
-  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
-}
-}  // namespace pathmark
-)";
+constexpr const char* kSecret = "int canary = \"never to be seen\";\n";
+constexpr const char* kSecretWords = "never to be seen";
+constexpr std::size_t kMostMessages = std::size_t{300} << 10;
 
 std::vector<std::string> attackNames() {
   std::vector<std::string> names;
@@ -53,112 +47,156 @@ std::vector<std::string> attackNames() {
   return names;
 }
 
+std::string contentOf(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
+  for (std::size_t k = 0; (k = text.find(from, k)) != std::string::npos; k += to.size())
+    text.replace(k, from.size(), to);
 }
 
-std::vector<std::string> expectedVerdicts(const std::string& attack) {
-  const std::string head = "// Verdict: ";
-  const std::size_t at = attack.find(head) + head.size();
-  std::istringstream list(attack.substr(at, attack.find('\n', at) - at));
-  std::vector<std::string> verdicts;
-  for (std::string verdict; std::getline(list, verdict, ',');)
-    verdicts.push_back(verdict.substr(verdict.find_first_not_of(' ')));
-  return verdicts;
+// What stands behind this word in the head of the file; empty if it is not there.
+std::string headLine(const std::string& text, const std::string& word) {
+  const std::string begin = "// " + word + ": ";
+  const std::size_t at = text.find(begin);
+  if (at == std::string::npos) return {};
+  return text.substr(at + begin.size(), text.find('\n', at) - at - begin.size());
 }
 
-std::string newSecret() {
-  std::random_device device;
-  std::string secret = "secret";
-  for (int k = 0; k < 4; ++k) secret += std::to_string(device());
-  return secret;
+// For tools with little time and memory: honest parts need far less.
+std::shared_ptr<Confinement> hastySandbox(Tier tier) {
+  static std::mutex mutex;
+  static std::map<Tier, std::shared_ptr<Confinement>> opened;
+  const std::lock_guard lock(mutex);
+  std::shared_ptr<Confinement>& here = opened[tier];
+  if (!here)
+    here = sandbox::openSandbox(tier, {.toolSeconds = 40.0,
+                                       .toolBytes = std::size_t{1} << 30,
+                                       .fileBytes = std::size_t{64} << 20});
+  return here;
 }
 
-// Things of the instructor's, outside of the sandbox.
-class Outside {
- public:
-  Outside() {
-    std::ofstream(secretFile()) << secret_ << "\n";
-    fs::permissions(folder_.path(), fs::perms::all);
-    fs::permissions(secretFile(), fs::perms::all);
-    setenv("PATHMARK_SECRET", secret_.c_str(), 1);
-  }
-
-  fs::path folder() const { return folder_.path(); }
-  fs::path secretFile() const { return folder_ / "secret.txt"; }
-  const std::string& secret() const { return secret_; }
-
-  void expectUntouched() const {
-    EXPECT_EQ(readAll(secretFile()), secret_ + "\n");
-    for (const auto& entry : fs::directory_iterator(folder()))
-      EXPECT_EQ(entry.path().filename(), "secret.txt") << "this file is new";
-    EXPECT_FALSE(fs::exists("/tmp/pathmark_filler"));
-  }
-
- private:
-  TemporaryFolder folder_;
-  std::string secret_ = newSecret();
+struct Outcome {
+  std::string verdict;
+  std::string sentence;  // of the report
 };
 
-std::string textOf(const record::PartRecord& part) {
-  std::string text = part.message;
-  for (const record::FunctionRecord& f : part.functions)
-    for (const record::CheckRecord& c : f.checks)
-      text += c.id + ": " + std::string(nameOf(c.verdict)) + ": " + c.where + " " + c.got + "\n";
-  return text;
+std::string verdictOf(WorkerFault fault) {
+  switch (fault) {
+    case WorkerFault::kTimeLimit:
+      return "time limit";
+    case WorkerFault::kOutputLimit:
+      return "output limit";
+    case WorkerFault::kMemoryLimit:
+      return "memory limit";
+    case WorkerFault::kForbiddenCall:
+      return "forbidden call";
+    default:
+      return "crashed";
+  }
 }
 
-class Attack : public testing::TestWithParam<std::tuple<sandbox::Tier, std::string>> {};
+Outcome outcomeOf(const PartBuild& built, const checks::PartResult& part) {
+  if (!built.compiled) return {"does not compile", part.failure};
+  if (part.fault) return {verdictOf(*part.fault), part.failure};
+  if (!part.failure.empty()) return {"does not link", part.failure};
+  Outcome outcome{"ok", {}};
+  for (const checks::FunctionResult& f : part.functions)
+    for (const checks::CheckResult& c : f.checks) {
+      if (c.finding.fault) return {verdictOf(*c.finding.fault), c.finding.got};
+      if (c.finding.status == checks::Status::kFail) outcome = {"wrong", c.finding.got};
+    }
+  return outcome;
+}
 
-TEST_P(Attack, ReachesNothingAndIsToldAsWhatItIs) {
-  const auto& [tier, name] = GetParam();
-  const std::shared_ptr<Confinement> confinement = sandboxOf(tier);
-  const Outside outside;
-  std::string code = readAll(kAttacks / (name + ".cpp"));
-  const std::vector<std::string> expected = expectedVerdicts(code);
-  replaceAll(code, "@SOLUTIONS@", (fs::path(PATHMARK_ROOT) / "solutions").string());
-  replaceAll(code, "@SECRET_FILE@", outside.secretFile().string());
-  replaceAll(code, "@OUTSIDE@", outside.folder().string());
-  replaceAll(code, "@SECRET@", outside.secret());
-  if (code.find("RussianRoulette") == std::string::npos) code += kRightFunction;
-  CourseworkCopy coursework;
-  std::ofstream(coursework.file(kFile)) << code;
+// Where tiers differ, the expected verdicts are "this or that".
+bool isOneOf(const std::string& verdict, std::string expected) {
+  for (std::size_t at; (at = expected.find(" or ")) != std::string::npos; expected.erase(0, at + 4))
+    if (expected.substr(0, at) == verdict) return true;
+  return expected == verdict;
+}
 
-  const CourseworkBuild build =
-      buildCoursework(coursework.path(), Incomplete::kCompileOnly, confinement);
+class Attack : public testing::TestWithParam<std::tuple<std::string, Tier>> {
+ protected:
+  Attack() {
+    fs::permissions(canary_.path(), fs::perms::all);
+    std::ofstream(canary_ / "canary") << kSecret;
+    fs::permissions(canary_ / "canary", fs::perms::all);
+    setenv("PATHMARK_SECRET", kSecretWords, 1);
+  }
+  ~Attack() override { unsetenv("PATHMARK_SECRET"); }
+
+  std::string attackText() const {
+    std::string text = contentOf(kAttacks / (std::get<0>(GetParam()) + ".cpp"));
+    replaceAll(text, "@CANARY@", canary_.path().string());
+    replaceAll(text, "@ROOT@", PATHMARK_ROOT);
+    replaceAll(text, "@HOST@", std::to_string(getpid()));
+    return text;
+  }
+
+  TemporaryFolder canary_, coursework_;
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Attack,
+                         testing::Combine(testing::ValuesIn(attackNames()),
+                                          testing::ValuesIn(expectedTiers())),
+                         [](const auto& p) {
+                           return std::get<0>(p.param) + "_" +
+                                  std::string(nameOf(std::get<1>(p.param)));
+                         });
+
+TEST_P(Attack, FailsAndIsReportedAsWhatItIs) {
+  const std::string text = attackText();
+  const std::string expected = headLine(text, "Expected");
+  ASSERT_FALSE(expected.empty()) << "the file does not say what must become of it";
+  std::ofstream(coursework_ / kFile) << text;
+
+  const CourseworkBuild build = buildCoursework(coursework_.path(), Incomplete::kCompileOnly,
+                                                hastySandbox(std::get<1>(GetParam())));
+  std::mutex mutex;
   std::string printed;
+  checks::Selection selection;
+  selection.parts = {6};
+  selection.images = selection.scenes = false;
   checks::RunOptions options;
   options.threads = 1;
-  options.secondsWithoutAnswer = 2.0;
-  options.onText = [&](std::string_view text) {
-    if (printed.size() < 65536) printed += text;
+  options.secondsWithoutAnswer = 3.0;
+  options.memoryBytes = std::size_t{1} << 30;
+  options.onText = [&](std::string_view words) {
+    const std::lock_guard lock(mutex);
+    printed += words;
   };
-  checks::Selection selection;
-  selection.parts = {kPart};
-  selection.images = selection.scenes = false;
   const checks::CourseworkResults results = checks::runChecks(build, selection, options);
-  const record::PartRecord part = grading::recordParts(results, build, selection.parts).at(0);
+  ASSERT_EQ(results.parts.size(), 1u);
+  const PartBuild& built = build.parts.at(6);
+  const Outcome outcome = outcomeOf(built, results.parts.front());
 
-  const std::string verdict(nameOf(part.verdict)), text = textOf(part);
-  EXPECT_NE(std::find(expected.begin(), expected.end(), verdict), expected.end())
-      << verdict << "\n"
-      << text.substr(0, 4000);
-  EXPECT_EQ(text.find(outside.secret()), std::string::npos) << text;
-  EXPECT_EQ(printed.find(outside.secret()), std::string::npos) << printed;
-  outside.expectUntouched();
+  const std::string call = expected.starts_with("forbidden call ") ? expected.substr(15) : "";
+  EXPECT_TRUE(isOneOf(outcome.verdict, call.empty() ? expected : "forbidden call"))
+      << outcome.verdict << ": " << outcome.sentence;
+  EXPECT_NE(outcome.sentence.find(call), std::string::npos) << outcome.sentence;
+  EXPECT_NE(outcome.sentence.find(headLine(text, "Says")), std::string::npos) << outcome.sentence;
+
+  for (const std::string& said : {outcome.sentence, built.messages, printed}) {
+    EXPECT_EQ(said.find(kSecretWords), std::string::npos) << said;
+    EXPECT_EQ(said.find("root:"), std::string::npos) << said;
+  }
+  EXPECT_LE(built.messages.size(), kMostMessages);
+  EXPECT_EQ(contentOf(canary_ / "canary"), kSecret);
+  EXPECT_EQ(std::distance(fs::directory_iterator(canary_.path()), fs::directory_iterator{}), 1);
+  EXPECT_FALSE(fs::exists("/tmp/pathmark-attack"));
+  EXPECT_FALSE(fs::exists("/dev/shm/pathmark-attack"));
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a process is left";
 }
 
-std::string nameOfTest(const testing::TestParamInfo<Attack::ParamType>& info) {
-  return std::string(sandbox::nameOf(std::get<0>(info.param))) + "_" + std::get<1>(info.param);
+TEST(Attacks, AreManyAndEachSaysWhatItTries) {
+  const std::vector<std::string> names = attackNames();
+  EXPECT_GE(names.size(), 40u);
+  for (const std::string& name : names)
+    EXPECT_FALSE(headLine(contentOf(kAttacks / (name + ".cpp")), "Attack").empty()) << name;
 }
-
-INSTANTIATE_TEST_SUITE_P(Every, Attack,
-                         testing::Combine(testing::ValuesIn(expectedTiers()),
-                                          testing::ValuesIn(attackNames())),
-                         nameOfTest);
-
-TEST(AttackCorpus, HasAtLeastFortyAttacks) { EXPECT_GE(attackNames().size(), 40u); }
 
 }  // namespace
 }  // namespace pathmark::test

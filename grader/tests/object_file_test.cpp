@@ -45,6 +45,11 @@ TEST_F(ObjectFile, CodeForTheLinkersPluginIsRefused) {
             std::nullopt);
 }
 
+TEST_F(ObjectFile, AnotherLoaderIsRefused) {
+  EXPECT_NE(objectComplaint(compile("asm(\".section .interp,\\\"a\\\"\\n.asciz \\\"/x\\\"\");\n")),
+            std::nullopt);
+}
+
 TEST_F(ObjectFile, FunctionsThatRunBeforeTheProgramAreRefused) {
   EXPECT_NE(objectComplaint(
                 compile("void f() {}\n"

@@ -1,11 +1,28 @@
-// Attack: writes an answer of its own onto the wire
-// Verdict: wrong
+// Attack: writes answers of its own to the wire
+// Expected: crashed
+// Says: does not fit the question
 #include <pathmark/coursework.h>
 
-#include <sys/socket.h>
-#include <cstdint>
-static void attack() {
-  // As the framework writes them: magic, kind, sequence, nothing, length.
-  const std::uint32_t answer[] = {0x31574d50u, 6, 2, 0, 8, 0, 1, 0x3f800000u};
-  send(3, answer, sizeof answer, 0);
+#include <unistd.h>
+
+namespace pathmark {
+
+namespace {
+
+int attack() {
+  char zeros[64] = {};
+  return static_cast<int>(write(3, zeros, sizeof zeros));
 }
+
+}  // namespace
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  static const int done = attack();
+  (void)done;
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark

@@ -1,14 +1,29 @@
-// Attack: says of itself that somebody else has crashed
-// Verdict: crashed
+// Attack: writes a crash record of its own
+// Expected: crashed or forbidden call
 #include <pathmark/coursework.h>
 
 #include <unistd.h>
-#include <cstdint>
-#include <cstring>
-static void attack() {
-  static char record[1024];
-  const std::uint32_t head[] = {0x48535243u, 3, 6, 1};
-  std::memcpy(record, head, sizeof head);
-  std::strcpy(record + sizeof head, "the grader has failed: full marks");
-  if (write(4, record, sizeof record) > 0) _exit(0);
+#include <cstdlib>
+
+namespace pathmark {
+
+namespace {
+
+int attack() {
+  const unsigned record[512] = {0x48535243, 6, 0, 0xffffffff};
+  [[maybe_unused]] const long n = write(4, record, sizeof record);
+  std::abort();
 }
+
+}  // namespace
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  static const int done = attack();
+  (void)done;
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark

@@ -1,14 +1,27 @@
-// Attack: reads the environment of its process
-// Verdict: forbidden call
+// Attack: reads the environment of the process
+// Expected: forbidden call openat
 #include <pathmark/coursework.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-#include <cstdio>
-static void show(const char* file) {
-  char bytes[4096];
-  const int fd = open(file, O_RDONLY);
-  const long size = fd < 0 ? 0 : read(fd, bytes, sizeof bytes);
-  std::printf("%.*s", static_cast<int>(size), bytes);
+#include <fstream>
+
+namespace pathmark {
+
+namespace {
+
+int attack() {
+  std::ifstream in("/proc/self/environ");
+  return in.get();
 }
-static void attack() { show("/proc/self/environ"); }
+
+}  // namespace
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  static const int done = attack();
+  (void)done;
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark

@@ -1,0 +1,16 @@
+// Attack: defines a function of another part
+// Expected: does not link
+#include <pathmark/coursework.h>
+
+namespace pathmark {
+
+Colour LitScene::tracePath(const Ray&, Sampler&) const { return Colour(1.0f); }
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark

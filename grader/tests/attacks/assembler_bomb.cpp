@@ -1,0 +1,16 @@
+// Attack: makes the assembler fill the disk
+// Expected: does not compile
+#include <pathmark/coursework.h>
+
+namespace pathmark {
+
+asm(".fill 8589934592, 1, 1");
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark

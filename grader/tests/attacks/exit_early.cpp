@@ -1,0 +1,29 @@
+// Attack: prints a result and ends before the program begins
+// Expected: crashed
+// Says: exit() was called
+#include <pathmark/coursework.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace pathmark {
+
+namespace {
+
+int attack() {
+  std::puts("all tests passed");
+  std::exit(0);
+}
+
+const int done = attack();
+
+}  // namespace
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark

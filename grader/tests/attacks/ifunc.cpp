@@ -1,0 +1,22 @@
+// Attack: runs while the program is being loaded
+// Expected: does not compile
+// Says: before the program begins
+#include <pathmark/coursework.h>
+
+namespace pathmark {
+
+extern "C" {
+int one() { return 1; }
+static int (*choose())() { return one; }
+[[gnu::ifunc("choose")]] int early();
+}
+int all() { return early(); }
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark

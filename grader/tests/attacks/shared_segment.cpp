@@ -1,0 +1,27 @@
+// Attack: shares memory with other processes
+// Expected: forbidden call shmget
+#include <pathmark/coursework.h>
+
+#include <sys/shm.h>
+#include <sys/ipc.h>
+
+namespace pathmark {
+
+namespace {
+
+int attack() {
+  return shmget(IPC_PRIVATE, 1 << 20, IPC_CREAT | 0600);
+}
+
+}  // namespace
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  static const int done = attack();
+  (void)done;
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark
