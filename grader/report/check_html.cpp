@@ -36,17 +36,44 @@ std::string sureness(const CheckRecord& check) {
   return check.delta > 0.0 ? std::string() : std::string(" Compared value by value.");
 }
 
-Markup passedHtml(const std::vector<const CheckRecord*>& passed) {
-  if (passed.empty()) return {};
+Markup listOf(const std::vector<const CheckRecord*>& passed) {
   Markup list;
-  for (const CheckRecord* check : passed) {
-    list += markup("<li><code>{}</code> {}{}", check->id, withStop(check->statement),
+  for (const CheckRecord* check : passed)
+    list += markup("<li><code>{}</code> {}{}</li>\n", check->id, withStop(check->statement),
                    sureness(*check));
-    if (!check->remark.empty()) list += markup(" <em>Note: {}</em>", withStop(check->remark));
-    list += Markup{"</li>\n"};
-  }
-  return markup("<details><summary>{} {} passed</summary>\n<ul class=\"passed\">\n{}</ul></details>\n",
-                passed.size(), passed.size() == 1 ? "check" : "checks", list);
+  return markup("<ul class=\"passed\">\n{}</ul>", list);
+}
+
+std::string countOf(std::size_t passed) {
+  return fmt::format("{} {} passed", passed, passed == 1 ? "check" : "checks");
+}
+
+// What is correct and could be better is told without asking.
+Markup notesOf(const std::vector<const CheckRecord*>& passed) {
+  Markup notes;
+  for (const CheckRecord* check : passed)
+    if (!check->remark.empty())
+      notes += markup("<p class=\"hint\">Note: {}</p>\n", withStop(check->remark));
+  return notes;
+}
+
+struct Sorted {
+  std::vector<const CheckRecord*> passed, others;  // others: the worst first
+};
+
+Sorted sorted(const std::vector<CheckRecord>& checks) {
+  Sorted result;
+  for (const CheckRecord& check : checks)
+    (check.verdict == Verdict::kOk ? result.passed : result.others).push_back(&check);
+  std::stable_sort(
+      result.others.begin(), result.others.end(),
+      [](const CheckRecord* a, const CheckRecord* b) { return worseThan(a->verdict, b->verdict); });
+  return result;
+}
+
+Markup nameOfFunction(const FunctionRecord& function) {
+  return markup("{} <span class=\"section\">{}</span> <code>{}</code>",
+                verdictChip(function.verdict), function.section, function.name);
 }
 
 }  // namespace
@@ -62,26 +89,28 @@ Markup checkCard(const CheckRecord& check) {
 }
 
 Markup checksHtml(const std::vector<CheckRecord>& checks) {
-  std::vector<const CheckRecord*> passed, others;
-  for (const CheckRecord& check : checks)
-    (check.verdict == Verdict::kOk ? passed : others).push_back(&check);
-  std::stable_sort(others.begin(), others.end(), [](const CheckRecord* a, const CheckRecord* b) {
-    return worseThan(a->verdict, b->verdict);
-  });
+  const auto [passed, others] = sorted(checks);
   Markup html;
   for (const CheckRecord* check : others) html += checkCard(*check);
-  html += passedHtml(passed);
+  html += notesOf(passed);
+  if (!passed.empty())
+    html += markup("<details><summary>{}</summary>\n{}</details>\n", countOf(passed.size()),
+                   listOf(passed));
   return html;
 }
 
-// What is not written has nothing to tell but that.
 Markup functionHtml(const FunctionRecord& function) {
+  const auto [passed, others] = sorted(function.checks);
+  // What is not written has nothing to tell but that; what is right fits into a line.
   const bool unwritten = function.verdict == Verdict::kNotWritten;
-  return markup(
-      "<article class=\"function {}\">\n<h4>{} <span class=\"section\">{}</span> <code>{}</code>"
-      "</h4>\n{}</article>\n",
-      kindOf(function.verdict), verdictChip(function.verdict), function.section, function.name,
-      unwritten ? Markup{} : checksHtml(function.checks));
+  if (!unwritten && others.empty() && !passed.empty())
+    return markup(
+        "<article class=\"function good\"><details><summary><h4>{}</h4> <span>{}</span></summary>\n"
+        "{}</details>\n{}</article>\n",
+        nameOfFunction(function), countOf(passed.size()), listOf(passed), notesOf(passed));
+  return markup("<article class=\"function {}\">\n<h4>{}</h4>\n{}</article>\n",
+                kindOf(function.verdict), nameOfFunction(function),
+                unwritten ? Markup{} : checksHtml(function.checks));
 }
 
 }  // namespace pathmark::report

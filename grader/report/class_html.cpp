@@ -41,10 +41,10 @@ Markup smallPicture(const Graded& graded) {
   return {};
 }
 
-// Sorted by data-value; what has no points comes last.
+// Sorted by data-value; what has none comes last.
 Markup pointsCell(const rubric::PartMarks* marks, bool complete) {
   if (marks == nullptr || !complete)
-    return Markup{"<td class=\"number\" data-value=\"-1\">\u2013</td>"};
+    return Markup{"<td class=\"number\" data-value=\"\">\u2013</td>"};
   return markup("<td class=\"number\" data-value=\"{:.4f}\">{}{}</td>", marks->points,
                 pointsText(marks->points), pointsBar(marks->points, marks->outOf));
 }
@@ -92,8 +92,8 @@ Markup partMeans(GradedClass graded, const std::vector<ClassPart>& parts) {
         "{}</td></tr>\n",
         part.title, pointsBar(mean, part.outOf), mean, pointsText(part.outOf));
   }
-  return markup("<table class=\"means\"><caption>Mean of each part</caption><tbody>{}</tbody></table>",
-                rows);
+  return markup(
+      "<table class=\"means\"><caption>Mean of each part</caption><tbody>{}</tbody></table>", rows);
 }
 
 Markup overview(GradedClass graded, const std::vector<ClassPart>& parts) {
@@ -109,8 +109,8 @@ Markup overview(GradedClass graded, const std::vector<ClassPart>& parts) {
 Markup toLookAt(GradedClass graded) {
   Markup list;
   const auto add = [&](const Graded& g, const std::string& sentence) {
-    list += markup("<li><a href=\"{}\">{}</a> {}</li>\n", Markup{linkOf(g)}, g.record->name,
-                   sentence);
+    list +=
+        markup("<li><a href=\"{}\">{}</a> {}</li>\n", Markup{linkOf(g)}, g.record->name, sentence);
   };
   for (const Graded& g : graded)
     if (g.record->internalError())
@@ -118,21 +118,20 @@ Markup toLookAt(GradedClass graded) {
   for (const Graded& g : graded)
     for (const std::string& sentence : g.marks->toReview) add(g, sentence);
   if (list.html.empty()) return {};
-  return markup("<section class=\"part review\"><h2>Look at these first</h2>\n<ul>{}</ul></section>\n",
-                list);
+  return markup(
+      "<section class=\"part review\"><h2>Look at these first</h2>\n<ul>{}</ul></section>\n", list);
 }
 
 Markup headline(GradedClass graded) {
   const std::vector<double> totals = totalsOf(graded);
   const std::size_t failed = graded.size() - totals.size();
-  std::string sentence =
-      fmt::format("Mean {:.1f}, median {:.1f}.", meanOf(totals), medianOf(totals));
+  std::string sentence = fmt::format("Mean {:.1f} and median {:.1f} of {} points.", meanOf(totals),
+                                     medianOf(totals), pointsText(largestTotal(graded)));
   if (failed > 0) sentence += fmt::format(" {} could not be graded.", failed);
   return markup(
       "<header class=\"top\">\n<p class=\"kicker\">Pathmark report</p>\n<h1>Class</h1>\n"
-      "<p class=\"score\"><strong>{}</strong> {}, of {} points each</p>\n<p>{}</p>\n</header>\n",
-      graded.size(), graded.size() == 1 ? "submission" : "submissions",
-      pointsText(largestTotal(graded)), sentence);
+      "<p class=\"score\"><strong>{}</strong> {}</p>\n<p>{}</p>\n</header>\n",
+      graded.size(), graded.size() == 1 ? "submission" : "submissions", sentence);
 }
 
 }  // namespace

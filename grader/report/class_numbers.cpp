@@ -10,8 +10,8 @@ std::vector<ClassPart> partsOf(GradedClass graded) {
   std::map<int, ClassPart> parts;
   for (const Graded& g : graded)
     for (const rubric::PartMarks& marks : g.marks->parts) {
-      ClassPart& part = parts.try_emplace(marks.part, ClassPart{marks.part, marks.title, 0.0})
-                            .first->second;
+      ClassPart& part =
+          parts.try_emplace(marks.part, ClassPart{marks.part, marks.title, 0.0}).first->second;
       part.outOf = std::max(part.outOf, marks.outOf);
     }
   std::vector<ClassPart> list;

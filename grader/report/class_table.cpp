@@ -12,7 +12,7 @@ namespace pathmark::report {
 
 namespace {
 
-constexpr std::size_t kWidth = 100, kShortestName = 12, kWords = 26;
+constexpr std::size_t kWidth = 100, kShortestName = 12, kLongestName = 24, kWords = 26;
 constexpr std::string_view kGap = "  ";
 
 constexpr std::string_view kGreen = "32", kRed = "31", kYellow = "33", kDim = "2", kBold = "1";
@@ -84,25 +84,26 @@ Row means(GradedClass graded, const std::vector<ClassPart>& parts) {
   return row;
 }
 
-// Sentences with commas between them, broken between words so that each line fits.
+// One sentence, broken between words where it has to be.
+void addSentence(std::vector<std::string>& lines, std::string_view sentence, std::size_t width) {
+  const auto fits = [&](std::string_view words) {
+    return lines.back().empty() || columnsOf(lines.back()) + 1 + columnsOf(words) <= width;
+  };
+  if (!fits(sentence)) lines.emplace_back();
+  while (!sentence.empty()) {
+    const std::string_view word = sentence.substr(0, sentence.find(' '));
+    sentence.remove_prefix(std::min(word.size() + 1, sentence.size()));
+    if (!fits(word)) lines.emplace_back();
+    lines.back() += fmt::format("{}{}", lines.back().empty() ? "" : " ", word);
+  }
+}
+
+// With commas between them; a new line begins with a sentence where that is possible.
 std::vector<std::string> linesOf(const std::vector<std::string>& sentences, std::size_t width) {
   std::vector<std::string> lines{{}};
-  for (const std::string& sentence : sentences) {
-    std::string_view rest = sentence;
-    while (!rest.empty()) {
-      const std::size_t space = std::min(rest.find(' '), rest.size());
-      std::string word(rest.substr(0, space));
-      rest.remove_prefix(std::min(space + 1, rest.size()));
-      if (rest.empty() && &sentence != &sentences.back()) word += ",";
-      std::string& line = lines.back();
-      if (line.empty())
-        line = word;
-      else if (columnsOf(line) + 1 + columnsOf(word) <= width)
-        line += " " + word;
-      else
-        lines.push_back(word);
-    }
-  }
+  for (const std::string& sentence : sentences)
+    addSentence(lines, &sentence == &sentences.back() ? sentence : fmt::format("{},", sentence),
+                width);
   return lines;
 }
 
@@ -123,8 +124,9 @@ Widths widthsOf(const std::vector<Row>& rows) {
   }
   for (const Row& row : rows) longestName = std::max(longestName, columnsOf(row.name.text));
   taken += kGap.size();
-  const std::size_t room = kWidth - std::min(kWidth, taken + kWords);
-  widths.name = std::clamp(longestName, kShortestName, std::max(room, kShortestName));
+  const std::size_t room =
+      std::clamp(kWidth - std::min(kWidth, taken + kWords), kShortestName, kLongestName);
+  widths.name = std::clamp(longestName, kShortestName, room);
   widths.words = kWidth - std::min(kWidth - kShortestName, taken + widths.name);
   return widths;
 }
@@ -139,7 +141,7 @@ std::string lineOf(const Row& row, const Widths& widths, bool colour) {
   for (const std::size_t width : widths.numbers) indent += width + 1;
   const std::vector<std::string> words = linesOf(row.words, widths.words);
   for (std::size_t i = 0; i < words.size() && !words[i].empty(); ++i)
-    line += fmt::format("{}{}", i == 0 ? std::string(kGap) : "\n" + std::string(indent, ' '),
+    line += fmt::format("{}{}", i == 0 ? std::string(kGap) : fmt::format("\n{:{}}", "", indent),
                         painted(words[i], row.wordsColour, colour));
   return line + "\n";
 }
@@ -149,9 +151,8 @@ std::string lineOf(const Row& row, const Widths& widths, bool colour) {
 std::string classTable(GradedClass graded, bool colour) {
   if (graded.empty()) return "No submissions.\n";
   const std::vector<ClassPart> parts = partsOf(graded);
-  std::vector<Row> rows{heading(parts)};
+  std::vector<Row> rows{heading(parts), maxima(graded, parts)};
   for (const Graded& g : graded) rows.push_back(rowOf(g, parts));
-  rows.push_back(maxima(graded, parts));
   if (graded.size() > 1) rows.push_back(means(graded, parts));
   const Widths widths = widthsOf(rows);
   std::string table;

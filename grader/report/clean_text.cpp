@@ -75,11 +75,10 @@ char32_t shown(char32_t c) {
 std::size_t columnsOf(char32_t c) {
   if (between(c, 0x0300, 0x036F) || between(c, 0x200B, 0x200D) || between(c, 0xFE00, 0xFE0F))
     return 0;
-  const bool wide = between(c, 0x1100, 0x115F) || between(c, 0x2E80, 0xA4CF) ||
-                    between(c, 0xAC00, 0xD7A3) || between(c, 0xF900, 0xFAFF) ||
-                    between(c, 0xFE30, 0xFE6F) || between(c, 0xFF00, 0xFF60) ||
-                    between(c, 0xFFE0, 0xFFE6) || between(c, 0x1F300, 0x1FAFF) ||
-                    between(c, 0x20000, 0x3FFFD);
+  const bool wide =
+      between(c, 0x1100, 0x115F) || between(c, 0x2E80, 0xA4CF) || between(c, 0xAC00, 0xD7A3) ||
+      between(c, 0xF900, 0xFAFF) || between(c, 0xFE30, 0xFE6F) || between(c, 0xFF00, 0xFF60) ||
+      between(c, 0xFFE0, 0xFFE6) || between(c, 0x1F300, 0x1FAFF) || between(c, 0x20000, 0x3FFFD);
   return wide ? 2 : 1;
 }
 

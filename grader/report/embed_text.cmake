@@ -1,5 +1,6 @@
 # Turns a file into a header with its text and the SHA-256 of its bytes:
 #   cmake -DIN=report.css -DOUT=report_css.h -DNAME=ReportCss -P embed_text.cmake
+cmake_minimum_required(VERSION 3.22)
 file(READ ${IN} text)
 file(SIZE ${IN} bytes)
 file(SHA256 ${IN} hash)

@@ -21,7 +21,8 @@ constexpr std::size_t kLongestOutput = 8000;
 std::string foundIn(const FunctionRecord& function) {
   std::string text;
   for (const record::CheckRecord& check : function.checks)
-    if (check.verdict != Verdict::kOk || !check.remark.empty()) text += "\n" + textOf(check);
+    if (check.verdict != Verdict::kOk || !check.remark.empty())
+      text += fmt::format("\n{}", textOf(check));
   return text;
 }
 
@@ -32,17 +33,19 @@ std::string outputOf(const SubmissionRecord& record, const rubric::PartMarks& pa
   if (const FunctionRecord* function = functionOf(record, line)) text += foundIn(*function);
   for (const PartRecord& p : record.parts)
     if (p.part == part.part && !p.message.empty() && line.points < line.outOf)
-      text += "\n" + p.message + "\n";
+      text += fmt::format("\n{}\n", p.message);
   return cutAfter(cleanText(text), kLongestOutput);
 }
 
 Json testOf(const SubmissionRecord& record, const rubric::PartMarks& part, std::size_t number) {
   const rubric::MarkLine& line = part.lines[number];
+  // Out of nothing: rounding is no failure.
+  const bool full = line.outOf == 0.0 || line.points >= line.outOf;
   return Json{{"name", cleanLine(fmt::format("{}: {}", part.title, line.what))},
               {"number", fmt::format("{}.{}", part.part, number + 1)},
               {"score", line.points},
               {"max_score", line.outOf},
-              {"status", line.points >= line.outOf ? "passed" : "failed"},
+              {"status", full ? "passed" : "failed"},
               {"output", outputOf(record, part, line)},
               {"output_format", "text"},
               {"visibility", "visible"}};
@@ -51,7 +54,8 @@ Json testOf(const SubmissionRecord& record, const rubric::PartMarks& part, std::
 std::string summary(const SubmissionRecord& record) {
   std::string text;
   if (record.internalError())
-    text += "This submission could not be graded; that is no fault of it. " + record.failure + "\n";
+    text += fmt::format("This submission could not be graded; that is no fault of it. {}\n",
+                        record.failure);
   for (const std::string& sentence : record.collecting) text += sentence + "\n";
   for (const std::string& sentence : whatIsWrong(record)) text += sentence + "\n";
   return cutAfter(cleanText(text), kLongestOutput);
@@ -60,26 +64,19 @@ std::string summary(const SubmissionRecord& record) {
 }  // namespace
 
 std::string gradescopeJson(const SubmissionRecord& record, const rubric::Marks& marks) {
-  Json json{{"score", marks.points},
-            {"execution_time", record.seconds},
-            {"output", summary(record)},
-            {"output_format", "text"},
-            {"visibility", "visible"},
-            {"stdout_visibility", "hidden"},
+  Json json{{"score", marks.points},     {"execution_time", record.seconds},
+            {"output", summary(record)}, {"output_format", "text"},
+            {"visibility", "visible"},   {"stdout_visibility", "hidden"},
             {"tests", Json::array()}};
   for (const rubric::PartMarks& part : marks.parts)
     for (std::size_t i = 0; i < part.lines.size(); ++i)
       json["tests"].push_back(testOf(record, part, i));
-  json["extra_data"] = Json{{"submission", cleanLine(record.name)},
-                            {"contents", record.contents},
-                            {"seed", fmt::format("{}", record.seed)},
-                            {"out_of", marks.outOf},
-                            {"complete", !record.internalError()},
-                            {"grader", record.build.program},
-                            {"compiler", record.build.compiler},
-                            {"flags", record.build.flags},
-                            {"instructions", record.build.instructions},
-                            {"sandbox", record.build.sandbox}};
+  json["extra_data"] =
+      Json{{"submission", cleanLine(record.name)},      {"contents", record.contents},
+           {"seed", fmt::format("{}", record.seed)},    {"out_of", marks.outOf},
+           {"complete", !record.internalError()},       {"grader", record.build.program},
+           {"compiler", record.build.compiler},         {"flags", record.build.flags},
+           {"instructions", record.build.instructions}, {"sandbox", record.build.sandbox}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -43,10 +43,7 @@ using Shown = std::conditional_t<std::is_arithmetic_v<T>, T, std::string>;
 inline std::string shown(const Markup& piece) { return piece.html; }
 inline std::string shown(std::string_view text) { return escaped(text); }
 template <typename T>
-  requires std::is_arithmetic_v<T>
-T shown(T number) {
-  return number;
-}
+requires std::is_arithmetic_v<T> T shown(T number) { return number; }
 
 }  // namespace detail
 

@@ -62,8 +62,8 @@ Case caseOf(const CheckRecord& check) {
 Suite suiteOf(const PartRecord& part) {
   Suite suite{fmt::format("part {}", part.part), {}};
   if (part.functions.empty())
-    suite.cases.push_back({part.file, part.verdict, std::string(nameOf(part.verdict)),
-                           part.message, 0.0});
+    suite.cases.push_back(
+        {part.file, part.verdict, std::string(nameOf(part.verdict)), part.message, 0.0});
   for (const record::FunctionRecord& function : part.functions)
     for (const CheckRecord& check : function.checks) suite.cases.push_back(caseOf(check));
   return suite;

@@ -16,8 +16,8 @@ namespace {
 
 // Spreadsheets look past spaces and quotes, and take full-width signs for the same.
 bool looksLikeFormula(std::string_view text) {
-  constexpr std::array<std::string_view, 8> kBeginnings{
-      "=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+  constexpr std::array<std::string_view, 8> kBeginnings{"=",      "+",      "-",      "@",
+                                                        "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
   text.remove_prefix(std::min(text.find_first_not_of(" \""), text.size()));
   return std::any_of(kBeginnings.begin(), kBeginnings.end(),
                      [&](std::string_view beginning) { return text.starts_with(beginning); });

@@ -49,13 +49,16 @@ std::string page(std::string_view title, const Markup& body, const Script& scrip
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              "<meta name=\"color-scheme\" content=\"light dark\">\n"
              "<meta name=\"referrer\" content=\"no-referrer\">\n"
-             "<title>{}</title>\n<style>{}</style>\n<style>{}</style>\n</head>\n<body>\n{}\n<script>{}</script>\n"
+             "<title>{}</title>\n<style>{}</style>\n<style>{}</style>\n</"
+             "head>\n<body>\n{}\n<script>{}</script>\n"
              "</body>\n</html>\n",
-             Markup{fmt::format("default-src 'none'; img-src data:; style-src {} {}; script-src {}; "
-                                "base-uri 'none'; form-action 'none'",
-                                source(assets::kReportCssSha256), source(assets::kPicturesCssSha256),
-                                source(script.sha256))},
-             title, Markup{std::string(assets::kReportCss)}, Markup{std::string(assets::kPicturesCss)}, body, Markup{std::string(script.text)})
+             Markup{
+                 fmt::format("default-src 'none'; img-src data:; style-src {} {}; script-src {}; "
+                             "base-uri 'none'; form-action 'none'",
+                             source(assets::kReportCssSha256), source(assets::kPicturesCssSha256),
+                             source(script.sha256))},
+             title, Markup{std::string(assets::kReportCss)},
+             Markup{std::string(assets::kPicturesCss)}, body, Markup{std::string(script.text)})
       .html;
 }
 

@@ -27,10 +27,9 @@ Markup marksTable(const rubric::PartMarks* marks) {
   Markup rows;
   for (const rubric::MarkLine& line : marks->lines)
     rows += markup(
-        "<tr class=\"{}\"><th scope=\"row\">{}</th><td class=\"number\">{} / {}</td><td>{}</td>"
-        "</tr>\n",
-        line.points < line.outOf ? "lost" : "full", line.what, pointsText(line.points),
-        pointsText(line.outOf), line.reason.empty() ? "all points" : line.reason);
+        "<tr class=\"{}\"><th scope=\"row\">{}</th><td class=\"number\">{}</td><td>{}</td></tr>\n",
+        line.points < line.outOf ? "lost" : "full", line.what, lineText(line),
+        line.reason.empty() ? "all points" : line.reason);
   return markup(
       "<table class=\"marks\"><thead><tr><th scope=\"col\">for</th>"
       "<th scope=\"col\" class=\"number\">points</th><th scope=\"col\">why</th></tr></thead>\n"

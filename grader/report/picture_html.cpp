@@ -35,15 +35,16 @@ Markup legend(double scale) {
   return markup(
       "<div class=\"legend\" role=\"img\" aria-label=\"Signed error: blue where yours is darker by "
       "up to {2}, white where it is equal, red where it is brighter\">"
-      "<span>yours darker \u2212{0}</span>"
       "<svg viewBox=\"0 0 {1} 4\" preserveAspectRatio=\"none\" aria-hidden=\"true\">{3}</svg>"
-      "<span>+{0} brighter</span></div>\n",
+      "<span>yours darker, \u2212{0}</span><span>+{0}, brighter</span></div>\n",
       end, 2 * kSteps + 1, end, steps);
 }
 
 // Three channels in one row.
 std::string channels(const std::array<Estimate, 3>& errors) {
-  const auto percent = [](const Estimate& e) { return fmt::format("{:+.2g} %", 100.0 * e.value); };
+  const auto percent = [](const Estimate& e) {
+    return fmt::format("{}{:.2g} %", e.value < 0.0 ? "\u2212" : "+", 100.0 * std::abs(e.value));
+  };
   return fmt::format("red {}, green {}, blue {}", percent(errors[0]), percent(errors[1]),
                      percent(errors[2]));
 }
@@ -77,8 +78,9 @@ Markup pictureHtml(const PictureRecord& picture, const PictureSource& source) {
   plots += convergencePlot(picture.convergence);
   return markup(
       "<section class=\"picture\">\n<h4>{}<small>{} \u00D7 {} pixels, {:.6g} rays per "
-      "pixel</small></h4>\n<div class=\"compare\">\n{}</div>\n{}{}<div "
-      "class=\"plots\">\n{}</div>\n</section>\n",
+      "pixel</small></h4>\n<div class=\"sides\">\n<div><div "
+      "class=\"compare\">\n{}</div>\n{}</div>\n"
+      "<div>{}<div class=\"plots\">\n{}</div></div></div>\n</section>\n",
       picture.scene, picture.width, picture.height, picture.raysPerPixel, panes,
       picture.difference.empty() ? Markup{} : legend(picture.scale), numbers(picture), plots);
 }

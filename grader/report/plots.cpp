@@ -71,17 +71,10 @@ Axis percentAxis(std::string label, const Range& range) {
   return axis;
 }
 
-// Errors fall with 1 / sqrt(rays): through the first point of the solutions, or else of yours.
-std::vector<Point> slope(const PlotFrame& frame, const Range& rays,
-                         const record::PictureRecord::Convergence& c) {
-  const std::vector<double>& errors = c.solutions.empty() ? c.yours : c.solutions;
-  for (std::size_t i = 0; i < std::min(errors.size(), c.raysPerPixel.size()); ++i) {
-    const double x = usable(c.raysPerPixel[i]), y = usable(errors[i]);
-    if (x == 0.0 || y == 0.0) continue;
-    const auto at = [&](double n) { return frame.at(n, y * std::sqrt(x / n)); };
-    return {at(rays.low), at(rays.high)};
-  }
-  return {};
+// How errors of noise fall, for the eye: from the upper left corner of what is drawn.
+std::vector<Point> slope(const PlotFrame& frame, const Range& rays, const Range& errors) {
+  return {frame.at(rays.low, errors.high),
+          frame.at(rays.high, errors.high * std::sqrt(rays.low / rays.high))};
 }
 
 }  // namespace
@@ -121,13 +114,15 @@ Markup convergencePlot(const record::PictureRecord::Convergence& convergence) {
   rays.add(convergence.raysPerPixel);
   errors.add(convergence.yours);
   errors.add(convergence.solutions);
+  // Room for the slope above the curves.
+  errors.high *= 1.6;
   if (rays.empty() || errors.empty()) return {};
   const PlotFrame frame(logAxis("rays per pixel", rays.low, rays.high, 4.0),
                         percentAxis("relative error", errors));
   const std::vector<Point> yours = curve(frame, convergence.raysPerPixel, convergence.yours);
   const std::vector<Point> solutions =
       curve(frame, convergence.raysPerPixel, convergence.solutions);
-  Markup inside = lineThrough(slope(frame, rays, convergence), "line-slope");
+  Markup inside = lineThrough(slope(frame, rays, errors), "line-slope");
   inside += lineThrough(solutions, "line-expected");
   inside += squaresAt(solutions, "square-expected");
   inside += lineThrough(yours, "line-yours");

@@ -51,15 +51,13 @@ bool isFault(Verdict verdict) {
 }
 
 std::vector<std::string> whatIsWrong(const SubmissionRecord& record) {
+  if (record.internalError()) return {"internal error"};
   std::vector<std::string> sentences;
-  if (record.internalError()) sentences.emplace_back("internal error");
   std::vector<std::pair<Verdict, std::vector<int>>> groups;
   for (int part = 0; part <= kWhole; ++part) {
     const std::optional<Verdict> verdict = verdictOfPart(record, part);
     if (!verdict || *verdict == Verdict::kOk || *verdict == Verdict::kBlocked) continue;
-    const auto same = [&](const auto& group) {
-      return group.first == *verdict && part != kWhole;
-    };
+    const auto same = [&](const auto& group) { return group.first == *verdict && part != kWhole; };
     const auto found = std::find_if(groups.begin(), groups.end(), same);
     if (found != groups.end())
       found->second.push_back(part);
@@ -112,6 +110,13 @@ std::string pointsText(double points) {
   text.erase(text.find_last_not_of('0') + 1);
   if (text.ends_with('.')) text.pop_back();
   return text == "-0" ? "0" : text;
+}
+
+std::string lineText(const rubric::MarkLine& line) {
+  if (line.outOf == 0.0)
+    return fmt::format("{}{}", line.points < 0.0 ? "\u2212" : "+",
+                       pointsText(std::abs(line.points)));
+  return fmt::format("{} / {}", pointsText(line.points), pointsText(line.outOf));
 }
 
 }  // namespace pathmark::report

@@ -8,6 +8,7 @@
 //   fieldsOf         what to tell of a check, in order
 //   functionOf       the function that a line of the marks is about
 //   pointsText       "12.5"
+//   lineText         "2.5 / 4"
 #pragma once
 
 #include "record/record.h"
@@ -31,14 +32,15 @@ std::string partName(int part);
 // Wrong, not compiling, stopped; neither unwritten nor blocked nor an error of the grader.
 bool isFault(record::Verdict verdict);
 
-// "part 4 does not compile", "parts 2 and 3 wrong"; what is only blocked is left out. An internal
-// error comes first.
+// "part 4 does not compile", "parts 2 and 3 wrong"; what is only blocked is left out. After an
+// internal error nothing else is known.
 std::vector<std::string> whatIsWrong(const record::SubmissionRecord& record);
 
 // Null if there are none.
 const record::CheckRecord* worstOf(const std::vector<record::CheckRecord>& checks);
 
-// Those that are known: "where", "expected", "got", "tolerance", "likely", "note", "read", "repeat".
+// Those that are known: "where", "expected", "got", "tolerance", "likely", "note", "read",
+// "repeat".
 std::vector<Field> fieldsOf(const record::CheckRecord& check);
 
 // The same as lines of text, the statement first.
@@ -50,5 +52,8 @@ const record::FunctionRecord* functionOf(const record::SubmissionRecord& record,
 
 // At most two places behind the point, and none that are 0.
 std::string pointsText(double points);
+
+// Only the points, with their sign, of a line that is out of nothing, such as rounding.
+std::string lineText(const rubric::MarkLine& line);
 
 }  // namespace pathmark::report

@@ -4,9 +4,11 @@
 
 const collator = new Intl.Collator(undefined, { numeric: true });
 
-function compareCells(a, b) {
+// Cells without a value come last in either order.
+function compareCells(a, b, sign) {
   const [x, y] = [a.dataset.value, b.dataset.value];
-  return a.classList.contains("number") ? Number(x) - Number(y) : collator.compare(x, y);
+  if (x === "" || y === "") return Number(x === "") - Number(y === "");
+  return sign * (a.classList.contains("number") ? Number(x) - Number(y) : collator.compare(x, y));
 }
 
 function sortBy(table, heading, column) {
@@ -17,10 +19,7 @@ function sortBy(table, heading, column) {
   for (const other of table.tHead.querySelectorAll("th")) other.setAttribute("aria-sort", "none");
   heading.setAttribute("aria-sort", ascending ? "ascending" : "descending");
   const rows = [...table.tBodies[0].rows];
-  rows.sort((a, b) => {
-    const order = compareCells(a.cells[column], b.cells[column]);
-    return ascending ? order : -order;
-  });
+  rows.sort((a, b) => compareCells(a.cells[column], b.cells[column], ascending ? 1 : -1));
   table.tBodies[0].append(...rows);
 }
 

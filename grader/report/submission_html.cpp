@@ -31,35 +31,51 @@ std::string standing(const SubmissionRecord& record) {
       unwritten += function.verdict == Verdict::kNotWritten ? 1u : 0u;
     }
   if (all == 0) return {};
+  const std::size_t others = all - right - faults - unwritten;
   std::string text = fmt::format("{} of {} functions that could be tried are right", right, all);
   if (faults > 0) text += fmt::format(", {} {} not", faults, faults == 1 ? "is" : "are");
   if (unwritten > 0)
     text += fmt::format(", {} {} not written", unwritten, unwritten == 1 ? "is" : "are");
+  if (others > 0)
+    text += fmt::format(", {} {} blocked or undecided", others, others == 1 ? "is" : "are");
   return text + ".";
 }
 
 struct Loss {
-  const PartView* view;
-  const rubric::MarkLine* line;
-  double points() const { return line->outOf - line->points; }
+  int part = 0;
+  std::string what, reason;
+  double points = 0.0;
 };
 
-// The three lines of the marks that cost most.
+// Lines that lost points; one for a part that lost all for one reason.
+std::vector<Loss> lossesOf(const PartView& view) {
+  std::vector<Loss> losses;
+  if (view.marks == nullptr) return losses;
+  bool oneReason = view.marks->points <= 0.0;
+  for (const rubric::MarkLine& line : view.marks->lines) {
+    if (line.outOf == 0.0) continue;
+    oneReason = oneReason && line.reason == view.marks->lines.front().reason;
+    if (line.points < line.outOf)
+      losses.push_back({view.part, line.what, line.reason, line.outOf - line.points});
+  }
+  if (losses.size() > 1 && oneReason)
+    return {{view.part, view.title, losses.front().reason, view.marks->outOf}};
+  return losses;
+}
+
 Markup whereToBegin(const std::vector<PartView>& views) {
   constexpr std::size_t kMost = 3;
   std::vector<Loss> losses;
   for (const PartView& view : views)
-    if (view.marks != nullptr)
-      for (const rubric::MarkLine& line : view.marks->lines)
-        if (line.points < line.outOf) losses.push_back({&view, &line});
+    for (Loss& loss : lossesOf(view)) losses.push_back(std::move(loss));
   if (losses.empty()) return {};
   std::stable_sort(losses.begin(), losses.end(),
-                   [](const Loss& a, const Loss& b) { return a.points() > b.points(); });
+                   [](const Loss& a, const Loss& b) { return a.points > b.points; });
   losses.resize(std::min(losses.size(), kMost));
   Markup list;
   for (const Loss& loss : losses)
     list += markup("<li><a href=\"#part-{}\">{}</a> {} <span class=\"cost\">\u2212{}</span></li>\n",
-                   loss.view->part, loss.line->what, loss.line->reason, pointsText(loss.points()));
+                   loss.part, loss.what, loss.reason, pointsText(loss.points));
   return markup("<nav class=\"begin\"><h2>Where most points were lost</h2>\n<ol>{}</ol></nav>\n",
                 list);
 }
@@ -88,9 +104,9 @@ Markup partsTable(const SubmissionRecord& record, const std::vector<PartView>& v
         "<tr><th scope=\"row\"><a href=\"#part-{}\">{}</a></th><td>{}</td>"
         "<td class=\"number\">{}</td><td class=\"barcell\">{}</td></tr>\n",
         view.part, view.title, verdict ? verdictChip(*verdict) : Markup{},
-        view.marks ? fmt::format("{} / {}", pointsText(view.marks->points),
-                                 pointsText(view.marks->outOf))
-                   : std::string(),
+        view.marks
+            ? fmt::format("{} / {}", pointsText(view.marks->points), pointsText(view.marks->outOf))
+            : std::string(),
         view.marks ? pointsBar(view.marks->points, view.marks->outOf) : Markup{});
   }
   return markup(
@@ -104,9 +120,10 @@ Markup collecting(const SubmissionRecord& record) {
   if (record.collecting.empty()) return {};
   Markup list;
   for (const std::string& sentence : record.collecting) list += markup("<li>{}</li>\n", sentence);
-  return markup("<section class=\"part\"><h2>What was found in the submission</h2>\n<ul>{}</ul>"
-                "</section>\n",
-                list);
+  return markup(
+      "<section class=\"part\"><h2>What was found in the submission</h2>\n<ul>{}</ul>"
+      "</section>\n",
+      list);
 }
 
 Markup printed(const SubmissionRecord& record) {
@@ -139,7 +156,8 @@ Markup howItWasMade(const SubmissionRecord& record) {
   rows += term("contents", record.contents);
   rows += term("took", fmt::format("{:.0f} s", record.seconds));
   return markup(
-      "<section class=\"part\"><h2>How these marks were made</h2>\n<p>Each part was linked with the "
+      "<section class=\"part\"><h2>How these marks were made</h2>\n<p>Each part was linked with "
+      "the "
       "solutions of all others, so that no mistake is counted twice, and asked with random inputs. "
       "The same seed gives the same marks, on any number of threads:</p>\n"
       "<pre tabindex=\"0\"><code>./pathmark grade {} --seed {}</code></pre>\n"

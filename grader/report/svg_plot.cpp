@@ -9,7 +9,7 @@ namespace {
 
 // Small units, so that text of 11 units can be read where a plot is as wide as a phone.
 constexpr double kWidth = 320.0, kHeight = 200.0;
-constexpr double kLeft = 46.0, kRight = 10.0, kTop = 10.0, kBottom = 36.0;
+constexpr double kLeft = 54.0, kRight = 18.0, kTop = 10.0, kBottom = 36.0;
 
 double niceStep(double range) {
   const double rough = range / 4.0, power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -21,8 +21,8 @@ double niceStep(double range) {
 }  // namespace
 
 double Axis::position(double value) const {
-  const double t = logarithmic ? std::log(value / low) / std::log(high / low)
-                               : (value - low) / (high - low);
+  const double t =
+      logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
   return std::isnan(t) ? 0.0 : std::clamp(t, 0.0, 1.0);
 }
 
@@ -35,7 +35,8 @@ Axis linearAxis(std::string label, double low, double high) {
   for (int i = 0; (first + i) * step <= high + 1e-6 * step; ++i) {
     // A sum of 0 avoids "-0".
     const double value = (first + i) * step + 0.0;
-    axis.ticks.push_back({value, fmt::format("{:.4g}", std::abs(value) < 1e-9 * step ? 0.0 : value)});
+    axis.ticks.push_back(
+        {value, fmt::format("{:.4g}", std::abs(value) < 1e-9 * step ? 0.0 : value)});
   }
   return axis;
 }
@@ -82,18 +83,20 @@ Markup PlotFrame::axes() const {
         kLeft - 3.0, right, y(tick.value), kLeft - 6.0, y(tick.value) + 4.0, tick.label);
   drawn += markup("<path class=\"axis\" d=\"M{0:.1f} {1:.1f}V{2:.1f}H{3:.1f}\"/>", kLeft, kTop,
                   bottom, right);
-  drawn += markup("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
-                  0.5 * (kLeft + right), kHeight - 6.0, x_.label);
+  drawn +=
+      markup("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
+             0.5 * (kLeft + right), kHeight - 6.0, x_.label);
   drawn += markup(
-      "<text class=\"label\" transform=\"translate(11 {:.1f}) rotate(-90)\" "
+      "<text class=\"label\" transform=\"translate(10 {:.1f}) rotate(-90)\" "
       "text-anchor=\"middle\">{}</text>",
       0.5 * (kTop + bottom), y_.label);
   return drawn;
 }
 
 Markup PlotFrame::svg(std::string_view title, const Markup& inside) const {
-  return markup("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}{}</svg>",
-                kWidth, kHeight, title, axes(), inside);
+  return markup(
+      "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}{}</svg>", kWidth,
+      kHeight, title, axes(), inside);
 }
 
 Markup lineThrough(std::span<const Point> points, std::string_view kind) {
@@ -113,9 +116,8 @@ Markup dotsAt(std::span<const Point> points, std::string_view kind) {
 Markup squaresAt(std::span<const Point> points, std::string_view kind) {
   Markup squares;
   for (const Point& p : points)
-    squares += markup(
-        "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"5\" height=\"5\"/>", kind, p.x - 2.5,
-        p.y - 2.5);
+    squares += markup("<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"5\" height=\"5\"/>",
+                      kind, p.x - 2.5, p.y - 2.5);
   return squares;
 }
 

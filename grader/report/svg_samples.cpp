@@ -36,8 +36,8 @@ struct Direction {
 };
 
 std::optional<Direction> directionOf(const std::array<float, 3>& v) {
-  const double length = std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]),
-                                   static_cast<double>(v[2]));
+  const double length =
+      std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
   if (!std::isfinite(length) || length == 0.0) return std::nullopt;
   return Direction{v[0] / length, v[1] / length, v[2] / length};
 }
@@ -83,7 +83,7 @@ Places placesOf(const SampleRecord& samples) {
 Markup points(const std::vector<Place>& places) {
   std::string dots, crosses;
   for (const Place& p : places) {
-    const double x = kUnit * p.x, y = kUnit * p.y;
+    const double x = kUnit * p.x, y = 0.0 - kUnit * p.y;
     if (p.inside)
       dots += fmt::format("M{:.1f} {:.1f}h0", x, y);
     else
@@ -115,11 +115,11 @@ Markup disc(const std::vector<Place>& places, const char* name, bool below) {
 Markup square(const std::vector<Place>& places, bool beyond) {
   const double margin = kUnit * (beyond ? 0.14 : 0.03);
   return markup(
-      "<figure class=\"disc\"><svg viewBox=\"{0:.0f} {0:.0f} {1:.0f} {1:.0f}\" role=\"img\" "
+      "<figure class=\"disc\"><svg viewBox=\"{0:.0f} {1:.0f} {2:.0f} {2:.0f}\" role=\"img\" "
       "aria-label=\"samples in the unit square\">"
-      "<path class=\"grid\" d=\"M25 0V100M50 0V100M75 0V100M0 25H100M0 50H100M0 75H100\"/>"
-      "<rect class=\"rim\" width=\"100\" height=\"100\"/>{2}</svg></figure>",
-      -margin, kUnit + 2.0 * margin, points(places));
+      "<path class=\"grid\" d=\"M25 -100V0M50 -100V0M75 -100V0M0 -25H100M0 -50H100M0 -75H100\"/>"
+      "<rect class=\"rim\" y=\"-100\" width=\"100\" height=\"100\"/>{3}</svg></figure>",
+      -margin, -kUnit - margin, kUnit + 2.0 * margin, points(places));
 }
 
 Markup drawingOf(SampleDomain domain, const Places& places) {
@@ -144,13 +144,12 @@ Markup samplePlot(const SampleRecord& samples) {
   std::string words = fmt::format("{} samples", samples.yours.size());
   if (!samples.inputs.empty()) words += fmt::format(", {}", samples.inputs);
   if (places.outside > 0)
-    words += fmt::format("; {} {}, drawn as crosses", places.outside,
-                         samples.domain == SampleDomain::kHemisphere ? "below the horizon"
-                                                                     : "outside of the shape");
+    words += fmt::format(
+        "; {} {}, drawn as crosses", places.outside,
+        samples.domain == SampleDomain::kHemisphere ? "below the horizon" : "outside of the shape");
   if (places.notFinite > 0) words += fmt::format("; {} without a direction", places.notFinite);
-  const char* rings = samples.domain == SampleDomain::kPlane
-                          ? ""
-                          : ". Equal areas are equal solid angles.";
+  const char* rings =
+      samples.domain == SampleDomain::kPlane ? "" : ". Equal areas are equal solid angles.";
   return markup(
       "<figure class=\"samples\"><div class=\"discs\">{}</div><figcaption>{}{}</figcaption>"
       "</figure>\n",

@@ -1,0 +1,111 @@
+// marks.csv: what spreadsheets may do with it.
+
+#include "report/marks_csv.h"
+#include "support/hostile.h"
+#include "support/sample_record.h"
+
+#include <gtest/gtest.h>
+
+namespace pathmark {
+
+namespace {
+
+using report::csvCell;
+using report::marksCsv;
+using Rows = std::vector<std::vector<std::string>>;
+
+// RFC 4180: quotes are doubled inside of quotes, lines end with CR LF.
+Rows readCsv(const std::string& text) {
+  Rows rows{{""}};
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& cell = rows.back().back();
+    if (quoted && text.compare(i, 2, "\"\"") == 0) {
+      cell += '"';
+      ++i;
+    } else if (text[i] == '"') {
+      EXPECT_TRUE(quoted || cell.empty()) << "a quote inside of a plain cell: " << cell;
+      quoted = !quoted;
+    } else if (!quoted && text[i] == ',') {
+      rows.back().emplace_back();
+    } else if (!quoted && text.compare(i, 2, "\r\n") == 0) {
+      rows.push_back({""});
+      ++i;
+    } else {
+      EXPECT_TRUE(quoted || (text[i] != '\n' && text[i] != '\r'));
+      cell += text[i];
+    }
+  }
+  EXPECT_FALSE(quoted);
+  EXPECT_EQ(rows.back(), std::vector<std::string>{""}) << "the last line has no end";
+  rows.pop_back();
+  return rows;
+}
+
+std::string column(const Rows& rows, std::size_t row, const std::string& name) {
+  for (std::size_t i = 0; i < rows[0].size(); ++i)
+    if (rows[0][i] == name) return rows[row][i];
+  ADD_FAILURE() << "no column " << name;
+  return {};
+}
+
+TEST(CsvCell, QuotesOnlyWhereItMust) {
+  EXPECT_EQ(csvCell("anna"), "anna");
+  EXPECT_EQ(csvCell("a,b"), "\"a,b\"");
+  EXPECT_EQ(csvCell("say \"hi\""), "\"say \"\"hi\"\"\"");
+  EXPECT_EQ(csvCell("two\nlines"), "two lines");
+}
+
+TEST(CsvCell, DefusesFormulas) {
+  EXPECT_EQ(csvCell("=1+1"), "\"'=1+1\"");
+  for (const std::string text :
+       {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1", "  =1", "\"=1", "\" =1,2",
+        "=HYPERLINK(\"x\",\"y\")", "\uFF1D1", "\uFF20x", "=cmd|' /C calc'!A0"}) {
+    const std::string cell = readCsv(csvCell(text) + "\r\n")[0][0];
+    const bool harmless = cell.starts_with("'") || cell.starts_with("\u240D");
+    EXPECT_TRUE(harmless) << text << " became " << cell;
+  }
+}
+
+TEST(MarksCsv, HasARowForEachSubmissionAndAllColumnsInEach) {
+  const test::SampleClass c = test::sampleClass();
+  const Rows rows = readCsv(marksCsv(c.graded()));
+  ASSERT_EQ(rows.size(), 1 + c.records.size());
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+  EXPECT_EQ(column(rows, 1, "name"), "anna_complete");
+  EXPECT_EQ(column(rows, 1, "total"), "70.5");
+  EXPECT_EQ(column(rows, 1, "out of"), "73");
+  EXPECT_EQ(column(rows, 2, "part 3"), "7.25");
+  EXPECT_EQ(column(rows, 2, "part 3 out of"), "9");
+  EXPECT_EQ(column(rows, 2, "part 4 verdict"), "does not compile");
+  EXPECT_EQ(column(rows, 2, "seed"), "4711");
+}
+
+TEST(MarksCsv, GivesNoPointsToWhatCouldNotBeGraded) {
+  const test::SampleClass c = test::sampleClass();
+  const Rows rows = readCsv(marksCsv(c.graded()));
+  EXPECT_EQ(column(rows, 5, "total"), "");
+  EXPECT_EQ(column(rows, 5, "part 1"), "");
+  EXPECT_NE(column(rows, 5, "remarks").find("no space left"), std::string::npos);
+}
+
+TEST(MarksCsv, SurvivesHostileTexts) {
+  test::SampleClass c = test::sampleClass();
+  for (record::SubmissionRecord& record : c.records) {
+    record = test::withHostileTexts(record);
+    record.name.insert(0, 1, '=');
+    record.collecting = {test::hostileText("@collecting")};
+  }
+  const Rows rows = readCsv(marksCsv(c.graded()));
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].size(), rows[0].size());
+    for (const std::string& cell : rows[i])
+      EXPECT_EQ(cell.find_first_of("=+-@\t\r\n"),
+                cell.empty() ? std::string::npos : cell.find_first_of("=+-@\t\r\n", 1))
+          << cell;
+  }
+}
+
+}  // namespace
+
+}  // namespace pathmark
