@@ -4,20 +4,19 @@
 #include "host/build_config.h"
 #include "host/content_hash.h"
 #include "host/display_path.h"
-#include "host/subprocess.h"
+#include "host/object_file.h"
+#include "host/workshop.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
-#include <cstdlib>
 #include <fstream>
 #include <future>
 #include <iterator>
 #include <optional>
-#include <system_error>
 #include <thread>
+#include <utility>
 
 namespace pathmark {
 
@@ -32,6 +31,8 @@ const fs::path kContractSymbols = kProjectFolder / "framework/worker/contract.sy
                kRecordedSymbols = kProjectFolder / "framework/worker/recorded.symbols";
 
 constexpr std::uintmax_t kLargestSource = std::uintmax_t{1} << 20;
+constexpr std::size_t kLargestObject = std::size_t{64} << 20,
+                      kLargestProgram = std::size_t{256} << 20;
 
 std::optional<std::string> readFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -67,29 +68,6 @@ const std::string& toolchainStamp() {
   return all;
 }
 
-// A folder of its own for one step of the work, gone afterwards.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (kBuildFolder / "workers/scratch.XXXXXX").string();
-    fs::create_directories(kBuildFolder / "workers");
-    if (!mkdtemp(name.data()))
-      throw std::system_error(errno, std::generic_category(), "making a folder in build/");
-    path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  fs::path operator/(const fs::path& name) const { return path_ / name; }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 std::string folderPrefix(const fs::path& folder) {
   return fs::absolute(folder).lexically_normal().string() + "/";
 }
@@ -103,55 +81,80 @@ std::string nameOriginal(std::string text, const ScratchFolder& scratch, const f
   return text;
 }
 
-std::vector<std::string> compileCommand(const fs::path& source, const fs::path& object,
-                                        const std::string& prefixMap) {
+std::vector<std::string> compileCommand(Workshop& workshop, const fs::path& source,
+                                        const fs::path& object, const std::string& prefixMap) {
   std::vector<std::string> command{std::string(build::kCompiler)};
-  for (const std::string_view flag : build::kCourseworkFlags) command.emplace_back(flag);
+  for (const std::string_view flag : build::kCourseworkFlags)
+    command.push_back(workshop.visibleFlag(flag));
   for (const fs::path& include :
        {kBuildFolder / "precompiled", kProjectFolder / "framework/include"})
-    command.push_back("-I" + include.string());
+    command.push_back("-I" + workshop.visible(include));
+  for (std::string& map : workshop.prefixMaps()) command.push_back(std::move(map));
   for (const std::string& argument : {"-ffile-prefix-map=" + prefixMap, std::string("-c"),
                                       source.string(), std::string("-o"), object.string()})
     command.push_back(argument);
   return command;
 }
 
+// The object to its place in the build folder. Nothing is believed of what was made in a
+// confinement.
+bool keepObject(const Workshop& workshop, const fs::path& made, const fs::path& object,
+                std::string& messages) {
+  if (!workshop.confinement()) {
+    fs::rename(made, object);
+    return true;
+  }
+  const ScratchFolder own(nullptr);
+  const fs::path taken = own / "taken.o";
+  const std::optional<std::string> complaint = takeFile(made, taken, kLargestObject)
+                                                   ? objectComplaint(taken)
+                                                   : "the compiler made no object file, or a very "
+                                                     "large one";
+  if (complaint) {
+    messages += fmt::format(" {}.\n", *complaint);
+    return false;
+  }
+  fs::rename(taken, object);
+  return true;
+}
+
 // Compiles a copy that is alone in its folder, so that no other file can be included, to an object
 // in which only the names of the contract are visible: a helper function with the name of another
 // part's helper, or of a library function, replaces nothing.
-bool compileObject(const std::string& code, const fs::path& source, const fs::path& object,
-                   std::string& messages) {
-  const ScratchFolder scratch;
+bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::string& code,
+                   const fs::path& source, const fs::path& object, std::string& messages) {
+  const ScratchFolder scratch(confinement.get());
+  Workshop workshop(confinement);
   const fs::path copy = scratch / source.filename(), raw = scratch / "raw.o",
                  merged = scratch / "merged.o";
   std::ofstream(copy, std::ios::binary) << code;
   const fs::path folder = source.parent_path();
-  const ProcessResult compiled = runProcess(
-      {compileCommand(copy, raw, scratch.path().string() + "/=" + folderPrefix(folder)), {}, {}});
+  const ProcessResult compiled = workshop.run(
+      compileCommand(workshop, copy, raw, scratch.path().string() + "/=" + folderPrefix(folder)),
+      scratch);
   if (!compiled.output.empty()) messages = "\n" + nameOriginal(compiled.output, scratch, folder);
-  if (compiled.timedOut) messages += "The compiler was stopped after 120 s.\n";
+  if (compiled.timedOut)
+    messages += fmt::format("The compiler was stopped after {:g} s.\n", compiled.timeLimitSeconds);
   if (compiled.exitCode != 0) return false;
 
   // Groups of inline functions are dissolved first: a hidden function must not be one half of a
   // group that the linker drops in favour of another object's.
-  ProcessResult step = runProcess({{std::string(build::kLd), "-r", "--force-group-allocation", "-o",
-                                    merged.string(), raw.string()},
-                                   {},
-                                   {}});
+  Workshop tools(confinement);
+  ProcessResult step = tools.run({std::string(build::kLd), "-r", "--force-group-allocation", "-o",
+                                  merged.string(), raw.string()},
+                                 scratch);
   if (step.exitCode == 0)
-    step = runProcess({{std::string(build::kObjcopy),
-                        "--keep-global-symbols=" + kContractSymbols.string(), merged.string()},
-                       {},
-                       {}});
+    step = tools.run({std::string(build::kObjcopy),
+                      "--keep-global-symbols=" + tools.visible(kContractSymbols), merged.string()},
+                     scratch);
   if (step.exitCode != 0) {
     messages += step.output;
     return false;
   }
-  fs::rename(merged, object);
-  return true;
+  return keepObject(tools, merged, object, messages);
 }
 
-void buildPart(PartBuild& part) {
+void buildPart(PartBuild& part, const std::shared_ptr<Confinement>& confinement) {
   std::error_code error;
   if (fs::file_size(part.source, error) > kLargestSource && !error) {
     part.messages = " it is larger than 1 MiB, and coursework files have a few kilobytes.";
@@ -163,7 +166,8 @@ void buildPart(PartBuild& part) {
                                 fs::exists(part.source) ? "cannot be read" : "is missing");
     return;
   }
-  const std::string key = contentHash(toolchainStamp() + folderPrefix(part.source.parent_path()) +
+  const std::string key = contentHash(toolchainStamp() + Workshop(confinement).name() +
+                                      folderPrefix(part.source.parent_path()) +
                                       part.source.filename().string() + "\n" + *code);
   const fs::path folder = kBuildFolder / "workers/objects";
   fs::create_directories(folder);
@@ -172,15 +176,15 @@ void buildPart(PartBuild& part) {
     markUsed(made);
     part.compiled = true;
   } else {
-    part.compiled = compileObject(*code, part.source, made, part.messages);
+    part.compiled = compileObject(confinement, *code, part.source, made, part.messages);
   }
   if (part.compiled) part.object = made;
 }
 
-void buildParts(std::vector<PartBuild>& parts) {
+void buildParts(std::vector<PartBuild>& parts, const std::shared_ptr<Confinement>& confinement) {
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = 0; (i = next++) < parts.size();) buildPart(parts[i]);
+    for (std::size_t i = 0; (i = next++) < parts.size();) buildPart(parts[i], confinement);
   };
   // Futures, because they carry an exception over: the build folder may be full or not writable.
   std::vector<std::future<void>> others;
@@ -196,6 +200,14 @@ enum class Linking {
   kRecording,  // calls of some functions are led to those that record them
 };
 
+// What a worker is made of.
+struct LinkInputs {
+  std::vector<std::string> framework;  // objects
+  std::vector<fs::path> coursework;    // objects; those of parts that do not compile are empty
+  Linking linking = Linking::kStrict;
+  std::shared_ptr<Confinement> confinement;
+};
+
 std::vector<std::string> linkerOptions(Linking linking) {
   // Works only in a program that is not moved, and with the system's own linker.
   if (linking == Linking::kLenient) return {"-no-pie", "-Wl,--unresolved-symbols=ignore-all"};
@@ -207,45 +219,46 @@ std::vector<std::string> linkerOptions(Linking linking) {
   return options;
 }
 
-ProcessResult runLinker(const std::vector<std::string>& framework,
-                        const std::vector<fs::path>& objects, const fs::path& program,
-                        Linking linking) {
-  ProcessRequest request;
-  request.arguments.emplace_back(build::kCompiler);
-  for (const std::string_view flag : build::kCourseworkFlags) request.arguments.emplace_back(flag);
-  for (std::string& option : linkerOptions(linking)) request.arguments.push_back(std::move(option));
-  request.arguments.emplace_back("-pthread");
-  request.arguments.emplace_back("-o");
-  request.arguments.push_back(program.string());
-  request.arguments.insert(request.arguments.end(), framework.begin(), framework.end());
-  for (const fs::path& object : objects)
-    if (!object.empty()) request.arguments.push_back(object.string());
-  request.arguments.emplace_back(build::kEmbree);
-  return runProcess(request);
+ProcessResult runLinker(Workshop& workshop, const ScratchFolder& scratch, const LinkInputs& inputs,
+                        const fs::path& program) {
+  std::vector<std::string> command{std::string(build::kCompiler)};
+  for (const std::string_view flag : build::kCourseworkFlags) command.emplace_back(flag);
+  for (std::string& option : linkerOptions(inputs.linking)) command.push_back(std::move(option));
+  command.emplace_back("-pthread");
+  command.emplace_back("-o");
+  command.push_back(program.string());
+  for (const std::string& object : inputs.framework) command.push_back(workshop.visible(object));
+  for (const fs::path& object : inputs.coursework)
+    if (!object.empty()) command.push_back(workshop.visible(object));
+  command.emplace_back(build::kEmbree);
+  return workshop.run(std::move(command), scratch);
 }
 
 // The place of a worker that is made of these.
-fs::path linkedFolder(const std::vector<std::string>& framework,
-                      const std::vector<fs::path>& objects, std::string_view kind = {}) {
+fs::path linkedFolder(const LinkInputs& from, std::string_view kind = {}) {
   std::string inputs;
-  for (const std::string& object : framework) inputs += stamp(object);
-  for (const fs::path& object : objects) inputs += object.filename().string() + "\n";
+  for (const std::string& object : from.framework) inputs += stamp(object);
+  for (const fs::path& object : from.coursework) inputs += object.filename().string() + "\n";
+  inputs += Workshop(from.confinement).name();
   return kBuildFolder / "workers/linked" / contentHash(inputs.append(kind));
 }
 
 // Returns the linker's words, if it fails.
-std::string linkInto(const fs::path& folder, const std::vector<std::string>& framework,
-                     const std::vector<fs::path>& objects, Linking linking) {
+std::string linkInto(const fs::path& folder, const LinkInputs& inputs) {
   if (fs::exists(folder / "worker")) {
     markUsed(folder);
     return {};
   }
-  const ScratchFolder scratch;
+  const ScratchFolder scratch(inputs.confinement.get());
+  Workshop workshop(inputs.confinement);
   const fs::path made = scratch / "worker";
-  const ProcessResult linked = runLinker(framework, objects, made, linking);
+  const ProcessResult linked = runLinker(workshop, scratch, inputs, made);
   if (linked.exitCode != 0) return linked.output.empty() ? "The linker failed.\n" : linked.output;
   fs::create_directories(folder);
-  fs::rename(made, folder / "worker");
+  if (!inputs.confinement)
+    fs::rename(made, folder / "worker");
+  else if (!takeFile(made, folder / "worker", kLargestProgram))
+    return "The linker made no program, or a very large one.\n";
   pruneCache(kBuildFolder / "workers/linked");
   pruneCache(kBuildFolder / "workers/objects");
   return {};
@@ -256,17 +269,17 @@ std::vector<std::string> frameworkObjects() {
 }
 
 void link(CourseworkBuild& result, Incomplete policy) {
-  const std::vector<std::string> framework = frameworkObjects();
-  std::vector<fs::path> objects;
-  for (const PartBuild& part : result.parts) objects.push_back(part.object);
-  fs::path folder = linkedFolder(framework, objects);
-  result.linkMessages = linkInto(folder, framework, objects,
-                                 result.complete() ? Linking::kStrict : Linking::kLenient);
+  LinkInputs inputs{frameworkObjects(), {}, Linking::kStrict, result.confinement};
+  for (const PartBuild& part : result.parts) inputs.coursework.push_back(part.object);
+  if (!result.complete()) inputs.linking = Linking::kLenient;
+  fs::path folder = linkedFolder(inputs);
+  result.linkMessages = linkInto(folder, inputs);
   if (!result.linkMessages.empty()) {
     if (policy == Incomplete::kNoWorker) return;
     // In a place of its own: the next request for a whole worker must fail again.
-    folder = linkedFolder(framework, objects, "partial");
-    if (!linkInto(folder, framework, objects, Linking::kLenient).empty()) return;
+    folder = linkedFolder(inputs, "partial");
+    inputs.linking = Linking::kLenient;
+    if (!linkInto(folder, inputs).empty()) return;
   }
   result.worker = folder / "worker";
 }
@@ -313,62 +326,60 @@ std::string CourseworkBuild::failure() const {
   return text;
 }
 
-CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy) {
+CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy,
+                                std::shared_ptr<Confinement> confinement) {
   CourseworkBuild result;
   result.folder = folder;
+  result.confinement = std::move(confinement);
   for (const PartContract& part : parts())
     result.parts.push_back({part, folder / part.file, {}, {}, {}});
-  buildParts(result.parts);
+  buildParts(result.parts, result.confinement);
   if (policy == Incomplete::kLeaveThemOut || (policy == Incomplete::kNoWorker && result.complete()))
     link(result, policy);
   return result;
 }
 
 LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int> parts) {
-  const std::vector<std::string> framework = frameworkObjects(),
-                                 standIns = readLines(kBuildFolder / "standin_objects.txt");
-  std::vector<std::string> given = framework;
-  std::vector<fs::path> objects;
+  LinkInputs inputs{frameworkObjects(), {}, Linking::kStrict, build.confinement};
+  const std::vector<std::string> standIns = readLines(kBuildFolder / "standin_objects.txt");
   for (const PartBuild& part : build.parts) {
     const auto number = static_cast<std::size_t>(part.part.part);
     if (std::find(parts.begin(), parts.end(), part.part.part) != parts.end())
-      objects.push_back(part.object);
+      inputs.coursework.push_back(part.object);
     else
-      given.push_back(standIns.at(number));
+      inputs.framework.push_back(standIns.at(number));
   }
-  const fs::path folder = linkedFolder(given, objects);
-  const std::string messages = linkInto(folder, given, objects, Linking::kStrict);
+  const fs::path folder = linkedFolder(inputs);
+  const std::string messages = linkInto(folder, inputs);
   if (messages.empty()) return {folder / "worker", {}};
   return {{}, linkFailure(build.folder, messages)};
 }
 
 LinkedWorker linkWithOthers(const CourseworkBuild& build, std::span<const int> parts,
                             const CourseworkBuild& others) {
-  const std::vector<std::string> framework = frameworkObjects();
-  std::vector<fs::path> objects;
+  LinkInputs inputs{frameworkObjects(), {}, Linking::kStrict, build.confinement};
   for (const PartBuild& part : build.parts) {
     const bool own = std::find(parts.begin(), parts.end(), part.part.part) != parts.end();
     const CourseworkBuild& from = own ? build : others;
     const PartBuild& chosen = from.parts.at(static_cast<std::size_t>(part.part.part));
     if (!chosen.compiled)
       return {{}, fmt::format("{} does not compile.", displayPath(chosen.source))};
-    objects.push_back(chosen.object);
+    inputs.coursework.push_back(chosen.object);
   }
-  const fs::path folder = linkedFolder(framework, objects);
-  const std::string messages = linkInto(folder, framework, objects, Linking::kStrict);
+  const fs::path folder = linkedFolder(inputs);
+  const std::string messages = linkInto(folder, inputs);
   if (messages.empty()) return {folder / "worker", {}};
   return {{}, linkFailure(build.folder, messages)};
 }
 
 LinkedWorker linkForRecording(const CourseworkBuild& build) {
   if (!build.complete()) return {{}, build.failure()};
-  std::vector<std::string> framework = frameworkObjects();
+  LinkInputs inputs{frameworkObjects(), {}, Linking::kRecording, build.confinement};
   for (std::string& object : readLines(kBuildFolder / "recorder_objects.txt"))
-    framework.push_back(std::move(object));
-  std::vector<fs::path> objects;
-  for (const PartBuild& part : build.parts) objects.push_back(part.object);
-  const fs::path folder = linkedFolder(framework, objects, stamp(kRecordedSymbols));
-  const std::string messages = linkInto(folder, framework, objects, Linking::kRecording);
+    inputs.framework.push_back(std::move(object));
+  for (const PartBuild& part : build.parts) inputs.coursework.push_back(part.object);
+  const fs::path folder = linkedFolder(inputs, stamp(kRecordedSymbols));
+  const std::string messages = linkInto(folder, inputs);
   if (messages.empty()) return {folder / "worker", {}};
   return {{}, linkFailure(build.folder, messages)};
 }

@@ -5,9 +5,11 @@
 // they were made from, so that only what changed is compiled again.
 #pragma once
 
+#include "host/confinement.h"
 #include "worker/contract.h"
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +30,9 @@ struct CourseworkBuild {
   std::filesystem::path worker;  // empty if it could not be made
   std::string linkMessages;      // empty if all functions were found
 
+  // In which it was compiled, all its workers are linked, and they must run; often none.
+  std::shared_ptr<Confinement> confinement;
+
   bool complete() const;        // every part compiled, and the worker linked
   std::string failure() const;  // sentences about what did not, with the compiler's words
 };
@@ -38,9 +43,11 @@ enum class Incomplete {
   kLeaveThemOut,  // a worker without those parts, good for asking which stubs are left
 };
 
-// Throws std::system_error if the compiler cannot be run or the build folder not be written.
+// Throws std::system_error if the compiler cannot be run or the build folder not be written, and
+// ConfinementError.
 CourseworkBuild buildCoursework(const std::filesystem::path& folder,
-                                Incomplete policy = Incomplete::kNoWorker);
+                                Incomplete policy = Incomplete::kNoWorker,
+                                std::shared_ptr<Confinement> confinement = {});
 
 struct LinkedWorker {
   std::filesystem::path worker;  // empty if it could not be made

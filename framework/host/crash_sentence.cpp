@@ -3,6 +3,7 @@
 #include "host/build_config.h"
 #include "host/display_path.h"
 #include "host/subprocess.h"
+#include "host/system_call_name.h"
 
 #include <fmt/format.h>
 
@@ -22,13 +23,16 @@ struct Frame {
 
 // addr2line prints two lines for each frame, function and file:line; inlined calls come as frames
 // of their own, innermost first.
-std::vector<Frame> frames(const CrashRecord& record, const fs::path& program) {
+std::vector<Frame> frames(const CrashRecord& record, const fs::path& program,
+                          Confinement* confinement) {
   ProcessRequest request;
-  request.arguments = {std::string(build::kAddr2line), "-i", "-f", "-C", "-e", program.string()};
+  const fs::path seen = confinement ? confinement->visible(program) : program;
+  request.arguments = {std::string(build::kAddr2line), "-i", "-f", "-C", "-e", seen.string()};
   for (std::uint32_t k = 0; k < record.frameCount; ++k)
     request.arguments.push_back(fmt::format("{:#x}", record.frames[k] - 1));
   request.timeLimitSeconds = 20.0;
-  std::istringstream lines(runProcess(request).output);
+  std::istringstream lines(
+      (confinement ? confinement->run({request, {}, {seen}}) : runProcess(request)).output);
   std::vector<Frame> found;
   for (std::string function, place; std::getline(lines, function) && std::getline(lines, place);) {
     const std::size_t colon = place.rfind(':');
@@ -57,6 +61,13 @@ std::string printable(std::string_view text) {
   return clean;
 }
 
+std::string forbiddenCall(int systemCall, const std::string& path) {
+  return fmt::format(
+      "a forbidden system call, {}{}; coursework computes: it opens no files, makes no connections "
+      "and no processes, and leaves the program's signals and limits alone.",
+      systemCallName(systemCall), path.empty() ? "" : fmt::format(" of \"{}\"", path));
+}
+
 std::string whatHappened(const CrashRecord& record) {
   switch (record.kind) {
     case CrashKind::kStackOverflow:
@@ -65,6 +76,8 @@ std::string whatHappened(const CrashRecord& record) {
       if (std::string_view(record.text).starts_with("std::bad_alloc"))
         return "memory ran out (std::bad_alloc); does an array grow without end?";
       return fmt::format("an exception that nobody caught, {}.", printable(record.text));
+    case CrashKind::kForbiddenCall:
+      return forbiddenCall(record.systemCall, printable(record.text));
     case CrashKind::kExit:
       return "exit() was called; coursework functions return, and never end the program.";
     default:
@@ -88,6 +101,10 @@ std::string signalName(int signal) {
       return "abort (SIGABRT), as by a failed assertion";
     case SIGTRAP:
       return "a trap (SIGTRAP)";
+    case SIGSYS:
+      return "the sandbox (SIGSYS): a forbidden system call was made";
+    case SIGXCPU:
+      return "the sandbox (SIGXCPU): all its computing time was used up";
     case SIGKILL:
       return "the operating system (SIGKILL), which may have been short of memory";
     default:
@@ -96,12 +113,12 @@ std::string signalName(int signal) {
 }
 
 std::string crashPlace(const CrashRecord& record, const fs::path& program,
-                       const fs::path& courseworkFolder, bool callers) {
+                       const fs::path& courseworkFolder, bool callers, Confinement* confinement) {
   constexpr int kMostCallers = 3;
   const fs::path folder = fs::absolute(courseworkFolder).lexically_normal();
   std::string place, last;
   int shown = 0;
-  for (const Frame& frame : frames(record, program)) {
+  for (const Frame& frame : frames(record, program, confinement)) {
     const fs::path file = fs::path(frame.file).lexically_normal();
     const fs::path inside = file.lexically_relative(folder);
     if (inside.empty() || *inside.begin() == "..") continue;
@@ -118,8 +135,8 @@ std::string crashPlace(const CrashRecord& record, const fs::path& program,
 }
 
 std::string crashSentence(const CrashRecord& record, const fs::path& program,
-                          const fs::path& courseworkFolder) {
-  const std::string place = crashPlace(record, program, courseworkFolder);
+                          const fs::path& courseworkFolder, Confinement* confinement) {
+  const std::string place = crashPlace(record, program, courseworkFolder, false, confinement);
   return fmt::format("{}: {}", place.empty() ? "The coursework crashed" : place,
                      whatHappened(record));
 }

@@ -1,5 +1,10 @@
 // From a crash record to words: which signal, in which function, in which file and line.
+//
+// The addresses are looked up in the worker program, which holds whatever coursework put there: in
+// a confinement, if there is one.
 #pragma once
+
+#include "host/confinement.h"
 
 #include "worker/protocol.h"
 
@@ -12,11 +17,13 @@ namespace pathmark {
 // coursework folder; empty if there is none. With `callers`, the functions of the coursework that
 // led there follow, ", called from ...".
 std::string crashPlace(const CrashRecord& record, const std::filesystem::path& program,
-                       const std::filesystem::path& courseworkFolder, bool callers = false);
+                       const std::filesystem::path& courseworkFolder, bool callers = false,
+                       Confinement* confinement = nullptr);
 
 // The whole sentence.
 std::string crashSentence(const CrashRecord& record, const std::filesystem::path& program,
-                          const std::filesystem::path& courseworkFolder);
+                          const std::filesystem::path& courseworkFolder,
+                          Confinement* confinement = nullptr);
 
 // "a segmentation fault (SIGSEGV)".
 std::string signalName(int signal);

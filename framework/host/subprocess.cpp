@@ -1,10 +1,13 @@
 #include "host/subprocess.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -44,12 +47,12 @@ struct Pipe {
   }
 };
 
-pid_t spawn(const ProcessRequest& request, const Pipe& in, const Pipe& out) {
+pid_t spawn(const ProcessRequest& request, int in, int out) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.read, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out.write, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out.write, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out, STDERR_FILENO);
   if (!request.folder.empty())
     posix_spawn_file_actions_addchdir_np(&actions, request.folder.c_str());
   posix_spawnattr_t attributes;
@@ -70,19 +73,23 @@ pid_t spawn(const ProcessRequest& request, const Pipe& in, const Pipe& out) {
   return child;
 }
 
+int millisecondsUntil(Clock::time_point deadline) {
+  const auto left =
+      std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  return static_cast<int>(std::max<std::int64_t>(left, 0));
+}
+
 // Feeds the input and collects the output until the child closes its end or time is up.
-bool exchange(const ProcessRequest& request, Pipe& in, Pipe& out, std::string& output) {
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(request.timeLimitSeconds));
+bool exchange(const ProcessRequest& request, Clock::time_point deadline, Pipe& in, Pipe& out,
+              std::string& output) {
   std::size_t sent = 0;
   fcntl(in.write, F_SETFL, O_NONBLOCK);
   if (request.input.empty()) in.closeWrite();
   for (;;) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) return false;
+    const int left = millisecondsUntil(deadline);
+    if (left == 0) return false;
     std::array<pollfd, 2> fds{{{out.read, POLLIN, 0}, {in.write, POLLOUT, 0}}};
-    if (poll(fds.data(), fds.size(), static_cast<int>(left)) < 0 && errno != EINTR) return false;
+    if (poll(fds.data(), fds.size(), left) < 0 && errno != EINTR) return false;
     if (fds[1].revents != 0) {
       const ssize_t n = write(in.write, request.input.data() + sent, request.input.size() - sent);
       if (n > 0) sent += static_cast<std::size_t>(n);
@@ -103,18 +110,36 @@ bool exchange(const ProcessRequest& request, Pipe& in, Pipe& out, std::string& o
 
 }  // namespace
 
+bool awaitEnd(pid_t child, Clock::time_point deadline) {
+  siginfo_t info{};
+  for (;;) {
+    if (waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        info.si_pid != 0)
+      return true;
+    if (millisecondsUntil(deadline) == 0) return false;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
 ProcessResult runProcess(const ProcessRequest& request) {
+  return runProcess(request, [&](int in, int out) { return spawn(request, in, out); });
+}
+
+ProcessResult runProcess(const ProcessRequest& request, const StartProcess& start) {
   // A child that ends before it has read its input must not end this process.
   signal(SIGPIPE, SIG_IGN);
   Pipe in, out;
-  const pid_t child = spawn(request, in, out);
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(request.timeLimitSeconds));
+  const pid_t child = start(in.read, out.write);
   in.closeRead();
   out.closeWrite();
   ProcessResult result;
-  if (!exchange(request, in, out, result.output)) {
-    result.timedOut = true;
-    kill(-child, SIGKILL);
-  }
+  result.timeLimitSeconds = request.timeLimitSeconds;
+  // One may close its output and go on.
+  result.timedOut =
+      !exchange(request, deadline, in, out, result.output) || !awaitEnd(child, deadline);
+  kill(-child, SIGKILL);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

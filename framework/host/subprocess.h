@@ -1,9 +1,16 @@
-// runProcess: runs a program to its end and collects what it prints.
+// Running programs.
+//
+//   runProcess   to their end, collecting what they print
+//   awaitEnd     whether one ends in time
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include <sys/types.h>
 
 namespace pathmark {
 
@@ -19,10 +26,19 @@ struct ProcessRequest {
 struct ProcessResult {
   int exitCode = -1;      // 128 + signal if a signal ended it
   bool timedOut = false;  // stopped at the time limit
-  std::string output;     // standard output and standard error together
+  double timeLimitSeconds = 0.0;
+  std::string output;  // standard output and standard error together
 };
 
 // Throws std::system_error if the program cannot be started.
 ProcessResult runProcess(const ProcessRequest& request);
+
+// The same with another way of starting it: from the descriptors for its standard input and output
+// to a process that leads a group of its own. What is left of the group at the end is killed.
+using StartProcess = std::function<pid_t(int input, int output)>;
+ProcessResult runProcess(const ProcessRequest& request, const StartProcess& start);
+
+// Leaves it to be waited for.
+bool awaitEnd(pid_t child, std::chrono::steady_clock::time_point deadline);
 
 }  // namespace pathmark

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include <fcntl.h>
@@ -43,16 +44,7 @@ constexpr rlim_t kStackBytes = rlim_t{8} << 20;
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);
-  // First out of the way of the numbers that the worker expects.
-  constexpr int kHigh = 64;
-  const int high[] = {fcntl(socket, F_DUPFD_CLOEXEC, kHigh), fcntl(text, F_DUPFD_CLOEXEC, kHigh),
-                      fcntl(crash, F_DUPFD_CLOEXEC, kHigh)};
-  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  dup2(nothing, STDIN_FILENO);
-  dup2(high[1], STDOUT_FILENO);
-  dup2(high[1], STDERR_FILENO);
-  dup2(high[0], kWorkerSocket);
-  dup2(high[2], kWorkerCrashPipe);
+  placeWorkerDescriptors(socket, text, crash);
   close_range(kWorkerCrashPipe + 1, ~0u, 0);
   setLimit(RLIMIT_CORE, 0);
   setLimit(RLIMIT_STACK, kStackBytes);
@@ -64,23 +56,40 @@ constexpr rlim_t kStackBytes = rlim_t{8} << 20;
 
 }  // namespace
 
+WorkerChannels::WorkerChannels() {
+  std::tie(socket, workerSocket) = makePair(true);
+  std::tie(text, workerText) = makePair(false);
+  std::tie(crash, workerCrash) = makePair(false);
+}
+
+void placeWorkerDescriptors(int socket, int text, int crash) {
+  // First out of the way of the numbers that the worker expects.
+  constexpr int kHigh = 64;
+  const int high[] = {fcntl(socket, F_DUPFD_CLOEXEC, kHigh), fcntl(text, F_DUPFD_CLOEXEC, kHigh),
+                      fcntl(crash, F_DUPFD_CLOEXEC, kHigh)};
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  dup2(nothing, STDIN_FILENO);
+  dup2(high[1], STDOUT_FILENO);
+  dup2(high[1], STDERR_FILENO);
+  dup2(high[0], kWorkerSocket);
+  dup2(high[2], kWorkerCrashPipe);
+}
+
 LaunchedWorker launchWorker(const std::filesystem::path& program, std::size_t memoryBytes) {
-  auto [socket, workerSocket] = makePair(true);
-  auto [text, workerText] = makePair(false);
-  auto [crash, workerCrash] = makePair(false);
+  WorkerChannels channels;
   const std::string name = program.string();
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "starting the worker");
   if (child == 0)
-    becomeWorker(name.c_str(), workerSocket.get(), workerText.get(), workerCrash.get(), memoryBytes,
-                 parent);
+    becomeWorker(name.c_str(), channels.workerSocket.get(), channels.workerText.get(),
+                 channels.workerCrash.get(), memoryBytes, parent);
   setpgid(child, child);
   LaunchedWorker launched;
   launched.pid = child;
-  launched.socket = std::move(socket);
-  launched.text = std::move(text);
-  launched.crash = std::move(crash);
+  launched.socket = std::move(channels.socket);
+  launched.text = std::move(channels.text);
+  launched.crash = std::move(channels.crash);
   return launched;
 }
 

@@ -5,17 +5,39 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include <sys/types.h>
 
 namespace pathmark {
 
 struct LaunchedWorker {
-  pid_t pid = -1;         // also its process group
+  pid_t pid = -1;         // to wait for; also its process group
   FileDescriptor socket;  // requests and replies
   FileDescriptor text;    // what it prints to standard output and standard error
   FileDescriptor crash;   // crash records
+
+  // Where another process stands in front of the worker: the worker itself, with thread numbers of
+  // its own, and a descriptor of it (pidfd_open). That other process ends when the worker does,
+  // with 128 + signal where a signal ended it.
+  pid_t inner = -1;
+  FileDescriptor innerHandle;
+
+  // Asked after its end: a sentence if the machine failed before the worker began.
+  std::function<std::string()> startFailure;
 };
+
+// The host's side of a new worker and the worker's.
+struct WorkerChannels {
+  WorkerChannels();  // throws std::system_error
+  FileDescriptor socket, text, crash;
+  FileDescriptor workerSocket, workerText, workerCrash;
+};
+
+// Puts the worker's ends where it expects them, with an empty standard input. Between fork and
+// exec: only calls that are safe there. Other descriptors stay open.
+void placeWorkerDescriptors(int socket, int text, int crash);
 
 // The worker gets an empty standard input, no other descriptors of this process, and dies with
 // it. Throws std::system_error.

@@ -2,7 +2,7 @@
 
 #include "host/build_config.h"
 #include "host/crash_sentence.h"
-#include "host/worker_launch.h"
+#include "host/worker_end.h"
 
 #include <fmt/format.h>
 
@@ -73,11 +73,9 @@ class WorkerProcess::StallWatch {
 };
 
 WorkerProcess::WorkerProcess(Options options) : options_(std::move(options)) {
-  LaunchedWorker launched = launchWorker(options_.program, options_.limits.memoryBytes);
-  pid_ = launched.pid;
-  socket_ = std::move(launched.socket);
-  text_ = std::move(launched.text);
-  crash_ = std::move(launched.crash);
+  const std::size_t memory = options_.limits.memoryBytes;
+  process_ = options_.confinement ? options_.confinement->launch(options_.program, memory)
+                                  : launchWorker(options_.program, memory);
   try {
     const auto started = Clock::now();
     const auto body = awaitReply(MessageKind::kHello, 0, sizeof(Hello), sizeof(Hello),
@@ -93,27 +91,29 @@ WorkerProcess::WorkerProcess(Options options) : options_(std::move(options)) {
 WorkerProcess::~WorkerProcess() { closeAll(); }
 
 void WorkerProcess::closeAll() {
-  socket_.reset();
-  if (pid_ > 0) {
-    kill(-pid_, SIGKILL);
+  process_.socket.reset();
+  if (process_.pid > 0) {
+    killInner(process_.innerHandle);
+    kill(-process_.pid, SIGKILL);
     reap();
   }
-  text_.reset();
-  crash_.reset();
+  process_.text.reset();
+  process_.crash.reset();
 }
 
 int WorkerProcess::reap() {
   int status = 0;
-  if (pid_ > 0)
-    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  if (process_.pid > 0)
+    while (waitpid(process_.pid, &status, 0) < 0 && errno == EINTR) {
     }
-  pid_ = -1;
+  process_.pid = process_.inner = -1;
   return status;
 }
 
 std::optional<int> WorkerProcess::silentFor(Clock::time_point since) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
-  return seconds > options_.limits.secondsWithoutAnswer ? std::optional<int>(pid_) : std::nullopt;
+  return seconds > options_.limits.secondsWithoutAnswer ? std::optional<int>(kMainThread)
+                                                        : std::nullopt;
 }
 
 void WorkerProcess::stopIfAsked() {
@@ -261,7 +261,7 @@ RecordedPixel WorkerProcess::recordPixel(const RecordPixelRequest& request) {
 
 std::uint32_t WorkerProcess::sendRequest(MessageKind kind, std::span<const std::byte> body,
                                          int descriptor) {
-  if (pid_ <= 0) throw std::logic_error("the worker has ended");
+  if (process_.pid <= 0) throw std::logic_error("the worker has ended");
   MessageHeader header;
   header.kind = kind;
   header.sequence = nextSequence_++;
@@ -288,7 +288,7 @@ void WorkerProcess::sendBytes(std::span<const std::byte> bytes, int descriptor) 
       c->cmsg_len = CMSG_LEN(sizeof(int));
       std::memcpy(CMSG_DATA(c), &descriptor, sizeof descriptor);
     }
-    const ssize_t sent = sendmsg(socket_.get(), &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t sent = sendmsg(process_.socket.get(), &message, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent > 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(sent));
       descriptor = -1;
@@ -306,8 +306,9 @@ void WorkerProcess::sendBytes(std::span<const std::byte> bytes, int descriptor) 
 // Waits for something to happen; reads what the coursework prints and what a crash says. Returns
 // whether the socket is ready.
 bool WorkerProcess::pump(int timeoutMilliseconds, short socketEvents) {
-  std::array<pollfd, 3> fds{
-      {{socket_.get(), socketEvents, 0}, {text_.get(), POLLIN, 0}, {crash_.get(), POLLIN, 0}}};
+  std::array<pollfd, 3> fds{{{process_.socket.get(), socketEvents, 0},
+                             {process_.text.get(), POLLIN, 0},
+                             {process_.crash.get(), POLLIN, 0}}};
   if (poll(fds.data(), fds.size(), timeoutMilliseconds) < 0) {
     if (errno == EINTR) return false;
     throw std::system_error(errno, std::generic_category(), "waiting for the worker");
@@ -319,9 +320,9 @@ bool WorkerProcess::pump(int timeoutMilliseconds, short socketEvents) {
 
 void WorkerProcess::readText() {
   std::array<char, 65536> chunk{};
-  const ssize_t n = read(text_.get(), chunk.data(), chunk.size());
+  const ssize_t n = read(process_.text.get(), chunk.data(), chunk.size());
   if (n <= 0) {
-    if (n == 0) text_.reset();
+    if (n == 0) process_.text.reset();
     return;
   }
   textBytes_ += static_cast<std::size_t>(n);
@@ -335,8 +336,8 @@ void WorkerProcess::readText() {
 
 bool WorkerProcess::readCrash() {
   CrashRecord record;
-  const ssize_t n = read(crash_.get(), &record, sizeof record);
-  if (n == 0) crash_.reset();
+  const ssize_t n = read(process_.crash.get(), &record, sizeof record);
+  if (n == 0) process_.crash.reset();
   if (n != sizeof record || record.magic != CrashRecord::kMagic) return false;
   record.text[sizeof record.text - 1] = 0;
   record.frameCount = std::min<std::uint32_t>(record.frameCount, CrashRecord::kMaxFrames);
@@ -356,7 +357,8 @@ std::vector<std::byte> WorkerProcess::awaitReply(
     stopIfAsked();
     if (const auto thread = stalledThread()) failStalled(*thread);
     if (!pump(kPollMilliseconds, POLLIN)) continue;
-    const ssize_t n = recv(socket_.get(), bytes.data() + got, bytes.size() - got, MSG_DONTWAIT);
+    const ssize_t n =
+        recv(process_.socket.get(), bytes.data() + got, bytes.size() - got, MSG_DONTWAIT);
     if (n < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (n <= 0) failDead();
     got += static_cast<std::size_t>(n);
@@ -379,31 +381,54 @@ std::vector<std::byte> WorkerProcess::awaitReply(
 // The socket is closed: the worker is dead or dying, and a crash record may still be on its way.
 void WorkerProcess::failDead() {
   const auto deadline = Clock::now() + std::chrono::seconds(2);
-  socket_.reset();
-  while ((text_.get() >= 0 || crash_.get() >= 0) && Clock::now() < deadline)
+  process_.socket.reset();
+  while ((process_.text.get() >= 0 || process_.crash.get() >= 0) && Clock::now() < deadline)
     pump(kPollMilliseconds, 0);
-  kill(-pid_, SIGKILL);
-  const int status = reap();
+  // One that still runs has closed the socket.
+  const bool alive = !awaitEnd(process_.pid, Clock::now() + std::chrono::milliseconds(500));
+  const bool relayed = process_.innerHandle.get() >= 0;
+  killInner(process_.innerHandle);
+  kill(-process_.pid, SIGKILL);
+  const WorkerEnd end = endOf(reap(), relayed);
+  if (process_.startFailure)
+    if (const std::string failure = process_.startFailure(); !failure.empty()) {
+      closeAll();
+      throw ConfinementError(failure);
+    }
   if (crashRecord_)
-    fail(WorkerFault::kCrashed,
-         crashSentence(*crashRecord_, options_.program, options_.courseworkFolder));
-  if (WIFSIGNALED(status))
-    fail(WorkerFault::kCrashed,
-         fmt::format("The coursework was ended by {}.", signalName(WTERMSIG(status))));
+    fail(faultOf(*crashRecord_),
+         crashSentence(*crashRecord_, options_.program, options_.courseworkFolder,
+                       options_.confinement.get()));
+  if (alive)
+    fail(WorkerFault::kNonsense,
+         "The worker has closed its wire to the host: coursework must not close files that it has "
+         "not opened.");
+  if (end.signal)
+    fail(faultOfSignal(*end.signal),
+         fmt::format("The coursework was ended by {}.", signalName(*end.signal)));
   fail(WorkerFault::kEnded,
        fmt::format("The worker ended by itself with exit code {}: coursework functions must "
                    "return, and not call exit().",
-                   WEXITSTATUS(status)));
+                   end.exitCode));
+}
+
+void WorkerProcess::askWhere(int thread) {
+  const pid_t process = pid();
+  std::optional<pid_t> number = thread == kMainThread ? process : thread;
+  if (thread != kMainThread && process_.inner > 0) number = threadNumber(process, thread);
+  if (number) syscall(SYS_tgkill, process, *number, SIGUSR1);
 }
 
 // Asks the thread where it is, and ends the worker.
 void WorkerProcess::failStalled(int thread) {
-  syscall(SYS_tgkill, pid_, thread, SIGUSR1);
+  askWhere(thread);
   const auto deadline = Clock::now() + std::chrono::seconds(1);
-  while (!crashRecord_ && crash_.get() >= 0 && Clock::now() < deadline) pump(kPollMilliseconds, 0);
+  while (!crashRecord_ && process_.crash.get() >= 0 && Clock::now() < deadline)
+    pump(kPollMilliseconds, 0);
   std::string where;
   if (crashRecord_)
-    where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder, true);
+    where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder, true,
+                       options_.confinement.get());
   if (where.empty()) where = "Somewhere in the coursework";
   fail(WorkerFault::kTimeLimit,
        fmt::format("{}: no answer for {:g} s, stopped; is there a loop that never ends?", where,

@@ -13,6 +13,7 @@
 // nonsense) ends it and is thrown as a WorkerError whose text is a sentence for a student.
 #pragma once
 
+#include "host/confinement.h"
 #include "host/recorded_paths.h"
 #include "host/shared_memory.h"
 #include "render/render_job.h"
@@ -26,6 +27,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -42,6 +44,8 @@ enum class WorkerFault {
   kOutputLimit,
   kEnded,     // by itself: exit() in coursework
   kNonsense,  // an answer that does not fit the question
+  kMemoryLimit,
+  kForbiddenCall,  // of the operating system, from within a sandbox
 };
 
 class WorkerError : public std::runtime_error {
@@ -82,6 +86,7 @@ class WorkerProcess {
     std::filesystem::path program;
     std::filesystem::path courseworkFolder;  // for naming files in messages
     WorkerLimits limits;
+    std::shared_ptr<Confinement> confinement;      // often none
     std::function<void(std::string_view)> onText;  // what the coursework prints
 
     // Asked several times a second while an answer is waited for; if it says no, the worker is
@@ -89,7 +94,8 @@ class WorkerProcess {
     std::function<bool()> goOn;
   };
 
-  // Throws WorkerError, or std::system_error if the machine cannot start a process.
+  // Throws WorkerError; std::system_error or ConfinementError if the machine cannot start a
+  // process.
   explicit WorkerProcess(Options options);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
@@ -123,11 +129,13 @@ class WorkerProcess {
   // Ends the worker for an answer that a closer look has shown to be none, and throws.
   [[noreturn]] void refuseAnswer(const std::string& sentence);
 
-  pid_t pid() const { return pid_; }
+  // Of the worker itself, whatever process stands in front of it.
+  pid_t pid() const { return process_.inner > 0 ? process_.inner : process_.pid; }
 
  private:
   using Clock = std::chrono::steady_clock;
   class StallWatch;
+  static constexpr int kMainThread = 0;
 
   std::uint32_t sendRequest(MessageKind kind, std::span<const std::byte> body, int descriptor);
   void sendBytes(std::span<const std::byte> bytes, int descriptor);
@@ -145,12 +153,12 @@ class WorkerProcess {
   [[noreturn]] void failDead();
   [[noreturn]] void failStalled(int thread);
   [[noreturn]] void fail(WorkerFault fault, const std::string& sentence);
+  void askWhere(int thread);
   int reap();
   void closeAll();
 
   Options options_;
-  pid_t pid_ = -1;
-  FileDescriptor socket_, text_, crash_;
+  LaunchedWorker process_;
   std::uint32_t nextSequence_ = 1;
   std::size_t textBytes_ = 0;
   std::optional<CrashRecord> crashRecord_;

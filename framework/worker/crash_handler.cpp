@@ -1,5 +1,7 @@
 #include "worker/crash_handler.h"
 
+#include "worker/forbidden_call.h"
+#include "worker/lock.h"
 #include "worker/protocol.h"
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <execinfo.h>
 #include <pthread.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <ucontext.h>
 #include <unistd.h>
 
@@ -42,6 +45,7 @@ struct ThreadStack {
 thread_local ThreadStack threadStack;
 std::atomic_flag reported;
 std::atomic<bool> finished{false};
+thread_local bool exiting = false;
 
 std::uintptr_t instructionPointer(const void* context) {
   [[maybe_unused]] const auto* uc = static_cast<const ucontext_t*>(context);
@@ -98,7 +102,12 @@ bool isStackOverflow(int signal, const siginfo_t& info) {
 void onSignal(int signal, siginfo_t* info, void* context) {
   CrashRecord record;
   record.signal = signal;
-  if (signal == SIGUSR1)
+  if (isForbiddenCall(signal, *info)) {
+    if (answerHarmlessCall(*info, context)) return;
+    describeCall(record, *info, context);
+    // The end of the process, which this thread has reported.
+    if (record.kind == CrashKind::kExit && exiting) dieOf(SIGKILL);
+  } else if (signal == SIGUSR1)
     record.kind = CrashKind::kWhereabouts;
   else if (isStackOverflow(signal, *info))
     record.kind = CrashKind::kStackOverflow;
@@ -113,6 +122,7 @@ void onExit() {
   record.kind = CrashKind::kExit;
   fillFrames(record, 0);
   send(record);
+  exiting = true;
 }
 
 void onTerminate() {
@@ -153,13 +163,18 @@ void prepareThreadForCrashes() {
     pthread_attr_getstack(&attributes, &lowest, &size);
     threadStack.lowest = reinterpret_cast<std::uintptr_t>(lowest);
     pthread_attr_destroy(&attributes);
+  } else {
+    // The first thread's bounds are in /proc, which a sandbox has none of; this is near its end.
+    rlimit limit{};
+    getrlimit(RLIMIT_STACK, &limit);
+    threadStack.lowest = reinterpret_cast<std::uintptr_t>(&limit) - limit.rlim_cur;
   }
 }
 
 namespace {
 
 // Before the constructors of the coursework's own global variables, which may crash too.
-[[gnu::constructor(101)]] void installCrashHandlers() {
+[[gnu::constructor(101)]] void installCrashHandlers(int count, char** arguments) {
   // The first call loads the unwinder, which a signal handler must not do.
   void* warmUp[1];
   backtrace(warmUp, 1);
@@ -168,11 +183,12 @@ namespace {
   action.sa_sigaction = onSignal;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigfillset(&action.sa_mask);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGUSR1})
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGUSR1, SIGSYS})
     sigaction(signal, &action, nullptr);
   std::set_terminate(onTerminate);
   std::atexit(onExit);
   prepareThreadForCrashes();
+  if (count > 1 && kLockArgument == arguments[1] && !lockWorker()) _exit(EXIT_FAILURE);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace pathmark {
 
@@ -29,6 +30,9 @@ inline constexpr std::uint32_t kProtocolVersion = 1;
 // Descriptors that a worker starts with.
 inline constexpr int kWorkerSocket = 3;
 inline constexpr int kWorkerCrashPipe = 4;
+
+// The argument of a worker that locks itself: see lock.h.
+inline constexpr std::string_view kLockArgument = "--locked";
 
 enum class MessageKind : std::uint32_t {
   kHello = 1,
@@ -137,7 +141,8 @@ enum class CrashKind : std::uint32_t {
   kStackOverflow = 2,
   kException = 3,
   kWhereabouts = 4,
-  kExit = 5,  // coursework called exit()
+  kExit = 5,           // coursework called exit()
+  kForbiddenCall = 6,  // of the operating system, refused by a sandbox
 };
 
 struct CrashRecord {
@@ -148,7 +153,9 @@ struct CrashRecord {
   CrashKind kind = CrashKind::kSignal;
   std::int32_t signal = 0;
   std::uint32_t frameCount = 0;
-  char text[256] = {};  // what an exception says
+  std::int32_t systemCall = 0;  // number of the forbidden call
+  std::int32_t reserved = 0;
+  char text[256] = {};  // what an exception says, or the path that a forbidden call names
   // Return addresses, innermost first, relative to where the program was loaded.
   std::uint64_t frames[kMaxFrames] = {};
 };

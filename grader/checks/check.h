@@ -12,6 +12,7 @@
 #include "worker/contract.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,12 +31,13 @@ enum class Status {
 
 struct Finding {
   Status status = Status::kPass;
-  std::string where;      // the inputs: "n = (0, 0, -1), s = 0.5, t = 0"
-  std::string expected;   // "pdf = 0.318310"
-  std::string got;        // "pdf = 1.000000"
-  std::string tolerance;  // "0.0001 of the value", "6.9 standard errors of 0.0012"
-  std::string cause;      // likely cause, in words; empty if nothing matches clearly
-  std::string remark;     // of a pass: correct, but noisier than it could be
+  std::string where;                 // the inputs: "n = (0, 0, -1), s = 0.5, t = 0"
+  std::string expected;              // "pdf = 0.318310"
+  std::string got;                   // "pdf = 1.000000"
+  std::string tolerance;             // "0.0001 of the value", "6.9 standard errors of 0.0012"
+  std::string cause;                 // likely cause, in words; empty if nothing matches clearly
+  std::string remark;                // of a pass: correct, but noisier than it could be
+  std::optional<WorkerFault> fault;  // of what is broken: how the worker ended
 
   // Of a statistical check that passed: the smallest relative error that it would have found.
   double shown = 0.0;

@@ -39,19 +39,18 @@ void RunProgress::done(const PartResult& part) {
   if (events_.onPart) events_.onPart(part);
 }
 
-CheckBench::CheckBench(std::filesystem::path program, std::filesystem::path coursework,
+CheckBench::CheckBench(std::filesystem::path program, const CourseworkBuild& build,
                        const RunOptions& options, RunProgress& progress)
-    : program_(std::move(program)),
-      coursework_(std::move(coursework)),
-      options_(options),
-      progress_(progress) {}
+    : program_(std::move(program)), build_(build), options_(options), progress_(progress) {}
 
 WorkerProcess& CheckBench::worker() {
   if (!worker_) {
     WorkerProcess::Options options;
     options.program = program_;
-    options.courseworkFolder = coursework_;
+    options.courseworkFolder = build_.folder;
+    options.confinement = build_.confinement;
     options.limits.secondsWithoutAnswer = options_.secondsWithoutAnswer;
+    options.limits.memoryBytes = options_.memoryBytes;
     options.onText = options_.onText;
     options.goOn = [this] { return progress_.goesOn(); };
     worker_ = std::make_unique<WorkerProcess>(std::move(options));
@@ -69,6 +68,7 @@ Finding CheckBench::make(const Check& check, stats::ErrorBudget& budget) {
     Finding finding;
     finding.status = Status::kBroken;
     finding.got = e.what();
+    finding.fault = e.fault();
     return finding;
   }
 }

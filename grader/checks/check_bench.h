@@ -31,8 +31,9 @@ class RunProgress {
 
 class CheckBench {
  public:
-  CheckBench(std::filesystem::path program, std::filesystem::path coursework,
-             const RunOptions& options, RunProgress& progress);
+  // `program` is a worker of this coursework, and runs where that was compiled.
+  CheckBench(std::filesystem::path program, const CourseworkBuild& build, const RunOptions& options,
+             RunProgress& progress);
 
   // Started when it is needed, with an empty scene.
   WorkerProcess& worker();
@@ -44,7 +45,8 @@ class CheckBench {
   Finding make(const Check& check, stats::ErrorBudget& budget);
 
  private:
-  std::filesystem::path program_, coursework_;
+  std::filesystem::path program_;
+  const CourseworkBuild& build_;
   const RunOptions& options_;
   RunProgress& progress_;
   std::unique_ptr<WorkerProcess> worker_;

@@ -4,6 +4,7 @@
 #include "checks/check.h"
 #include "checks/scene_checks.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct FunctionResult {
 struct PartResult {
   PartContract part;
   std::string failure;  // why the part could not be checked: it does not compile or link
+  std::optional<WorkerFault> fault;  // or its worker cannot be started, which ended like this
   std::vector<FunctionResult> functions;
 };
 

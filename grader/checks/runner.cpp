@@ -99,7 +99,7 @@ std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
                                     const Selection& selection, const RunOptions& options,
                                     stats::ErrorBudget& budget, RunProgress& progress) {
   const PartBuild& compiled = build.parts.at(static_cast<std::size_t>(number));
-  PartResult part{compiled.part, {}, {}};
+  PartResult part{compiled.part, {}, {}, {}};
   if (!progress.goesOn()) return std::nullopt;
   if (!compiled.compiled) {
     part.failure = "does not compile:" + compiled.messages;
@@ -110,11 +110,12 @@ std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
     part.failure = "does not link: " + linked.failure;
     return part;
   }
-  CheckBench bench(linked.worker, build.folder, options, progress);
+  CheckBench bench(linked.worker, build, options, progress);
   try {
     checkFunctions(part, bench, selection, budget, progress);
   } catch (const WorkerError& e) {
     part.failure = std::string("cannot be started: ") + e.what();
+    part.fault = e.fault();
   } catch (const WorkerStopped&) {
     return std::nullopt;
   }
@@ -148,6 +149,7 @@ std::string missing(const CourseworkBuild& build, CheckBench* bench) {
 struct Whole {
   std::string blocker;
   std::string failure;
+  std::optional<WorkerFault> fault;
   std::unique_ptr<CheckBench> bench;
 };
 
@@ -160,11 +162,12 @@ Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
   const LinkedWorker linked = linkWithStandIns(build, std::array{0, 1, 2, 3, 4, 5, 6});
   whole.failure = linked.failure;
   if (linked.worker.empty()) return whole;
-  whole.bench = std::make_unique<CheckBench>(linked.worker, build.folder, options, progress);
+  whole.bench = std::make_unique<CheckBench>(linked.worker, build, options, progress);
   try {
     whole.blocker = missing(build, whole.bench.get());
   } catch (const WorkerError& e) {
     whole.failure = e.what();
+    whole.fault = e.fault();
   }
   if (!whole.blocker.empty() || !whole.failure.empty()) whole.bench.reset();
   return whole;
@@ -186,6 +189,7 @@ void checkImages(CourseworkResults& results, Whole& whole, const Selection& sele
     } else {
       result.finding.status = Status::kBroken;
       result.finding.got = whole.failure;
+      result.finding.fault = whole.fault;
     }
     result.seconds = secondsSince(started);
     results.images.push_back(std::move(result));

@@ -8,6 +8,7 @@
 #include "checks/results.h"
 #include "host/coursework_builder.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -28,7 +29,8 @@ struct RunOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: one for each processor
   double secondsWithoutAnswer = 5.0;
-  std::function<void(std::string_view)> onText;  // what the coursework prints
+  std::size_t memoryBytes = WorkerLimits{}.memoryBytes;  // of a worker
+  std::function<void(std::string_view)> onText;          // what the coursework prints
 
   // Results of parts that are not selected this time, which become part of the new ones.
   const CourseworkResults* known = nullptr;
@@ -46,7 +48,8 @@ struct RunEvents {
   std::function<bool()> goOn;
 };
 
-// Throws std::system_error where the machine cannot start a worker.
+// The workers run where the coursework was compiled: confined, or not. Throws std::system_error or
+// ConfinementError where the machine cannot start a worker.
 CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selection,
                             const RunOptions& options, const RunEvents& events = {});
 

@@ -108,7 +108,7 @@ void render(SceneFinding& finding, const LoadedScene& scene, WorkerProcess& work
 }
 
 SceneFinding checkScene(const fs::path& file, const WholeWorker& worker, std::uint64_t seed) {
-  SceneFinding finding{file, Status::kPass, {}, {}};
+  SceneFinding finding{file, Status::kPass, {}, {}, {}};
   try {
     const LoadedScene scene = loadScene(file);
     if (scene.caption.find_first_not_of(" \t\r\n") == std::string::npos) {
@@ -127,6 +127,7 @@ SceneFinding checkScene(const fs::path& file, const WholeWorker& worker, std::ui
     worker.forget();
     finding.status = Status::kBroken;
     finding.message = e.what();
+    finding.fault = e.fault();
   }
   return finding;
 }

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ namespace pathmark::checks {
 struct SceneFinding {
   std::filesystem::path file;
   Status status = Status::kPass;
-  std::string message;  // what is wrong, or in the way
-  std::string noise;    // where it is, of a scene that was rendered
+  std::string message;               // what is wrong, or in the way
+  std::string noise;                 // where it is, of a scene that was rendered
+  std::optional<WorkerFault> fault;  // of what is broken: how the worker ended
 };
 
 // The worker of the whole coursework.

@@ -18,6 +18,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -108,6 +109,13 @@ class Screen {
   bool internalError_ = false;
 };
 
+std::string lowerCase(std::string_view words) {
+  std::string lower(words);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
 rubric::Rubric readRubricFor(const GradeArguments& arguments) {
   try {
     return rubric::readRubric(arguments.rubric.empty() ? rubric::defaultRubric()
@@ -118,11 +126,18 @@ rubric::Rubric readRubricFor(const GradeArguments& arguments) {
 }
 
 std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
-  const auto sandbox = sandbox::openSandbox(arguments.sandbox, arguments.unsafe);
-  if (!sandbox)
+  if (!arguments.sandbox.empty()) {
+    for (const sandbox::Tier tier : {sandbox::Tier::kBubblewrap, sandbox::Tier::kLandlock})
+      if (lowerCase(sandbox::nameOf(tier)) == lowerCase(arguments.sandbox))
+        return sandbox::openSandbox(tier);
+    throw UsageError(
+        fmt::format("--sandbox: found {}, allowed is bubblewrap or landlock.", arguments.sandbox));
+  }
+  const sandbox::Opened opened = sandbox::openStrongest(arguments.unsafe);
+  if (!opened.confinement)
     fmt::print(stderr,
-               "Without a sandbox: submissions can read and change what you can (--unsafe).\n");
-  return sandbox;
+               "No sandbox works here: submissions can read and change what you can (--unsafe).\n");
+  return opened.confinement;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace pathmark {
 void addCheckCommand(CLI::App& app, CommandAction& action);
 
 // Only where the solutions are.
+void addGradeCommand(CLI::App& app, CommandAction& action);
 void addStudyCommand(CLI::App& app, CommandAction& action);
 
 }  // namespace pathmark

@@ -50,7 +50,7 @@ Verdict verdictOf(const checks::Finding& finding) {
   return finding.fault ? verdictOf(*finding.fault) : Verdict::kCrashed;
 }
 
-record::FunctionRecord recordOf(const checks::FunctionResult& function, std::uint64_t seed) {
+record::FunctionRecord functionRecord(const checks::FunctionResult& function, std::uint64_t seed) {
   record::FunctionRecord record{std::string(function.function.section),
                                 std::string(function.function.name),
                                 Verdict::kOk,
@@ -128,7 +128,7 @@ std::vector<record::PartRecord> recordParts(const checks::CourseworkResults& res
       tellFailure(part, built, result);
     } else {
       for (const checks::FunctionResult& f : result->functions) {
-        part.functions.push_back(recordOf(f, results.seed));
+        part.functions.push_back(functionRecord(f, results.seed));
         if (worseThan(part.functions.back().verdict, part.verdict))
           part.verdict = part.functions.back().verdict;
       }

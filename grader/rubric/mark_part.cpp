@@ -186,8 +186,8 @@ std::vector<MarkLine> markScenes(const record::SubmissionRecord& record, const P
     reviewVerdict(scene.verdict, scene.file, toReview);
     MarkLine line{scene.file, credit.credit * worth.points, worth.points, {}};
     if (credit.credit < 1.0)
-      line.reason = sentence(
-          fmt::format("{}: {}", scene.file, scene.message.empty() ? credit.reason : scene.message));
+      line.reason = fmt::format("{}: {}", scene.file,
+                                sentence(scene.message.empty() ? credit.reason : scene.message));
     if (line.points > best.points) best = line;
   }
   best.points = std::max(best.points, 0.0);

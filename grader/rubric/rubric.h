@@ -38,7 +38,7 @@ struct PartRubric {
   // By section of the handouts, "3.3"; 1 for a function that is not named.
   std::map<std::string, double> weights;
 
-  // By id, "3.3/repeatable": what is lost if nothing but such checks of a function fails.
+  // By id, "2.6/repeatable": what is lost if nothing but such checks of a function fails.
   std::map<std::string, double> checks;
 };
 

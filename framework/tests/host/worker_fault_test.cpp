@@ -152,7 +152,7 @@ TEST(WorkerFault, EndlessAllocationEndsInASentence) {
                    "  return Colour(v[12345]);\n}\n}\n");
   const Failure failure = failureOf(coursework);
   // AddressSanitizer ends the program itself where operator new would throw.
-  EXPECT_EQ(failure.fault, build::kSanitized ? WorkerFault::kEnded : WorkerFault::kCrashed);
+  EXPECT_EQ(failure.fault, build::kSanitized ? WorkerFault::kEnded : WorkerFault::kMemoryLimit);
   if (!build::kSanitized) expectContains(failure.sentence, "memory ran out");
 }
 

@@ -1,0 +1,133 @@
+#include "host/object_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <elf.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace pathmark {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Descriptor {
+  int fd = -1;
+  ~Descriptor() {
+    if (fd >= 0) close(fd);
+  }
+};
+
+[[noreturn]] void fail(const fs::path& file) {
+  throw std::system_error(errno, std::generic_category(), file.string());
+}
+
+void writeAll(int fd, const char* bytes, std::size_t size, const fs::path& file) {
+  while (size > 0) {
+    const ssize_t n = write(fd, bytes, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) fail(file);
+    bytes += n;
+    size -= static_cast<std::size_t>(n);
+  }
+}
+
+// A table's entry, if all of it lies within the file.
+template <class T>
+std::optional<T> at(std::span<const std::byte> bytes, std::uint64_t offset) {
+  if (offset > bytes.size() || bytes.size() - offset < sizeof(T)) return std::nullopt;
+  T value;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+std::string_view nameAt(std::span<const std::byte> bytes, const Elf64_Shdr& strings,
+                        std::uint32_t index) {
+  if (strings.sh_offset > bytes.size() || strings.sh_size > bytes.size() - strings.sh_offset ||
+      index >= strings.sh_size)
+    return {};
+  const char* first = reinterpret_cast<const char*>(bytes.data()) + strings.sh_offset + index;
+  return {first, strnlen(first, strings.sh_size - index)};
+}
+
+bool hasEarlyFunction(std::span<const std::byte> bytes, const Elf64_Shdr& symbols) {
+  const std::uint64_t count =
+      std::min<std::uint64_t>(symbols.sh_size, bytes.size()) / sizeof(Elf64_Sym);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto symbol = at<Elf64_Sym>(bytes, symbols.sh_offset + k * sizeof(Elf64_Sym));
+    if (symbol && ELF64_ST_TYPE(symbol->st_info) == STT_GNU_IFUNC) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool takeFile(const fs::path& from, const fs::path& to, std::size_t largest) {
+  const Descriptor in{open(from.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
+  struct stat status {};
+  if (in.fd < 0 || fstat(in.fd, &status) != 0 || !S_ISREG(status.st_mode) ||
+      static_cast<std::uintmax_t>(status.st_size) > largest)
+    return false;
+  std::string made = to.string() + ".XXXXXX";
+  const Descriptor out{mkostemp(made.data(), O_CLOEXEC)};
+  if (out.fd < 0) fail(to);
+  std::vector<char> chunk(std::size_t{256} << 10);
+  for (std::size_t taken = 0; taken <= largest;) {
+    const ssize_t n = read(in.fd, chunk.data(), chunk.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) break;
+    taken += static_cast<std::size_t>(n);
+    writeAll(out.fd, chunk.data(), static_cast<std::size_t>(n), made);
+  }
+  const mode_t mode = (status.st_mode & S_IXUSR) != 0 ? 0755 : 0644;
+  if (fchmod(out.fd, mode) != 0 || rename(made.c_str(), to.c_str()) != 0) fail(to);
+  return true;
+}
+
+std::optional<std::string> objectComplaint(std::span<const std::byte> bytes) {
+  const auto header = at<Elf64_Ehdr>(bytes, 0);
+  if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
+      header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_type != ET_REL ||
+      header->e_shentsize != sizeof(Elf64_Shdr))
+    return "what the compiler made is no object file";
+  const auto section = [&](std::uint64_t index) {
+    return at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
+  };
+  // More sections than the header can count are announced in the first one.
+  const auto first = section(0);
+  if (!first) return "the object file is cut short";
+  const std::uint64_t count = header->e_shnum != 0 ? header->e_shnum : first->sh_size;
+  const auto names =
+      section(header->e_shstrndx != SHN_XINDEX ? header->e_shstrndx : first->sh_link);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto here = section(k);
+    if (!here || !names) return "the object file is cut short";
+    const std::string_view name = nameAt(bytes, *names, here->sh_name);
+    if (name.starts_with(".gnu.lto_") || name.starts_with(".gnu.offload_lto_"))
+      return "the object file has code for link-time optimisation, and coursework is plain machine "
+             "code";
+    if (here->sh_type == SHT_PREINIT_ARRAY || name.starts_with(".preinit_array") ||
+        (here->sh_type == SHT_SYMTAB && hasEarlyFunction(bytes, *here)))
+      return "the coursework has a function that runs before the program begins; only functions "
+             "of the contract and what they call are run";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> objectComplaint(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  return objectComplaint(std::as_bytes(std::span(bytes)));
+}
+
+}  // namespace pathmark

@@ -1,0 +1,115 @@
+#include "sandbox/staging.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace pathmark::sandbox {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr uid_t kNobody = 65534;
+// Above what system users, containers and sub-users are given.
+constexpr uid_t kFirstUser = 0x70000000;
+
+bool mayBecome(uid_t user) {
+  std::ifstream map("/proc/self/uid_map");
+  for (std::uint64_t inside = 0, outside = 0, count = 0; map >> inside >> outside >> count;)
+    if (user >= inside && user - inside < count) return true;
+  return false;
+}
+
+std::string stampOf(const fs::path& path) {
+  if (!fs::is_regular_file(path)) return "a folder";
+  return fmt::format("{} {}", fs::last_write_time(path).time_since_epoch().count(),
+                     fs::file_size(path));
+}
+
+// For others to read, whatever it was.
+void copyReadable(const fs::path& from, const fs::path& to) {
+  const bool folder = fs::is_directory(from);
+  if (folder) {
+    fs::create_directories(to);
+    for (const auto& entry : fs::directory_iterator(from))
+      copyReadable(entry.path(), to / entry.path().filename());
+  } else {
+    fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+  }
+  const bool program = (fs::status(from).permissions() & fs::perms::owner_exec) != fs::perms::none;
+  chmod(to.c_str(), folder || program ? 0755 : 0644);
+}
+
+}  // namespace
+
+std::optional<uid_t> nextUser() {
+  if (geteuid() != 0) return std::nullopt;
+  static std::atomic<uid_t> count{0};
+  const uid_t user =
+      kFirstUser | ((static_cast<uid_t>(getpid()) & 0xffff) << 12) | (count++ & 0xfff);
+  return mayBecome(user) ? user : kNobody;
+}
+
+std::size_t processesOfUser() {
+  std::size_t count = 0;
+  std::error_code error;
+  const uid_t user = getuid();
+  for (const auto& process : fs::directory_iterator("/proc", error)) {
+    struct stat status {};
+    if (stat(process.path().c_str(), &status) != 0 || status.st_uid != user) continue;
+    for (fs::directory_iterator task(process.path() / "task", error), end; !error && task != end;
+         task.increment(error))
+      ++count;
+  }
+  return count;
+}
+
+Staging::Staging() : copies_(geteuid() == 0) {
+  std::string name = (fs::temp_directory_path() / "pathmark-sandbox.XXXXXX").string();
+  if (!mkdtemp(name.data()))
+    throw std::system_error(errno, std::generic_category(), "a folder for the sandbox");
+  folder_ = name;
+  // Passable for those who know a name in it.
+  chmod(name.c_str(), 0711);
+  fs::create_directory(folder_ / "scratch");
+  chmod((folder_ / "scratch").c_str(), 0711);
+}
+
+Staging::~Staging() {
+  std::error_code error;
+  fs::remove_all(folder_, error);
+}
+
+fs::path Staging::visible(const fs::path& path) {
+  const fs::path own = fs::absolute(path).lexically_normal();
+  if (!copies_) return own;
+  const fs::path copy = folder_ / "files" / own.relative_path();
+  const std::lock_guard lock(mutex_);
+  std::string stamp = stampOf(own);
+  const auto known = staged_.find(own);
+  if (known != staged_.end() && known->second == stamp) return copy;
+  // Folders on the way, too, for others to pass.
+  const mode_t mask = umask(022);
+  fs::create_directories(copy.parent_path());
+  copyReadable(own, copy);
+  umask(mask);
+  staged_[own] = std::move(stamp);
+  return copy;
+}
+
+fs::path Staging::makeScratchFolder() {
+  std::string name = (folder_ / "scratch/XXXXXX").string();
+  if (!mkdtemp(name.data()))
+    throw std::system_error(errno, std::generic_category(), "a folder for the sandbox");
+  return name;
+}
+
+}  // namespace pathmark::sandbox

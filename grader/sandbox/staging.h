@@ -1,0 +1,45 @@
+// What sandboxed programs see of this process's files, and where they may write.
+//
+//   nextUser    an unprivileged user for one program, where this process may choose
+//   Staging     a folder of copies that such a user may read, and of scratch folders
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <sys/types.h>
+
+namespace pathmark::sandbox {
+
+// Nothing unless this process is root's. Otherwise a number that nobody else has, so that limits
+// count the program's own processes alone and signals reach nobody; "nobody" in a container that
+// has no such numbers.
+std::optional<uid_t> nextUser();
+
+// Threads and processes that this process's user has now.
+std::size_t processesOfUser();
+
+class Staging {
+ public:
+  Staging();   // throws std::system_error
+  ~Staging();  // removes all of it
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  // For root, a copy: others could not reach a checkout in its home. For others the path itself.
+  // Throws std::filesystem::filesystem_error.
+  std::filesystem::path visible(const std::filesystem::path& path);
+
+  std::filesystem::path makeScratchFolder();  // throws std::system_error
+
+ private:
+  std::filesystem::path folder_;
+  bool copies_;
+  std::mutex mutex_;
+  std::map<std::filesystem::path, std::string> staged_;  // with the stamp of what was copied
+};
+
+}  // namespace pathmark::sandbox
