@@ -35,7 +35,7 @@ using Clock = std::chrono::steady_clock;
 
 struct BenchPreviewArguments {
   std::vector<std::string> scenes{"cornell_box", "cornell_spheres"};
-  std::string with = "solutions";
+  std::string with = solvedCoursework();
   std::string json;
   int saves = 7;
 };
@@ -155,7 +155,8 @@ void addBenchPreviewCommand(CLI::App& bench, CommandAction& action) {
       ->type_name("");
   command
       ->add_option("--with", arguments->with,
-                   "Coursework that is copied and saved: solutions (default), student, or a folder")
+                   "Coursework that is copied and saved: solutions (default where there are any), "
+                   "student, or a folder")
       ->type_name("DIR");
   takesWholeNumber(command->add_option("--saves", arguments->saves, "Saves of each (default: 7)"),
                    1, 1000);

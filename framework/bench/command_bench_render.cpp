@@ -7,6 +7,7 @@
 #include "host/build_config.h"
 #include "host/exit_code.h"
 #include "host/options.h"
+#include "host/session.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -26,7 +27,7 @@ namespace {
 
 struct BenchRenderArguments {
   std::vector<std::string> scenes;
-  std::string with = "solutions";
+  std::string with = solvedCoursework();
   std::string peer;
   std::string json;
   std::string keep;
@@ -138,7 +139,8 @@ void addBenchRenderCommand(CLI::App& bench, CommandAction& action) {
       ->type_name("");
   command
       ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default), student, or a folder of part*.cpp files")
+                   "Coursework: solutions (default where there are any), student, or a folder of "
+                   "part*.cpp files")
       ->type_name("DIR");
   command
       ->add_option("--peer", arguments->peer,

@@ -2,7 +2,6 @@
 #include "film/contact_sheet.h"
 #include "film/image_file.h"
 #include "host/blob_file.h"
-#include "host/build_config.h"
 #include "host/commands.h"
 #include "host/exit_code.h"
 #include "host/interrupt.h"
@@ -34,11 +33,6 @@ struct SheetArguments {
   std::string sampler = "sobol";
   std::string output = "contact_sheet.png";
 };
-
-// A student kit has no solutions.
-std::string defaultCoursework() {
-  return fs::exists(fs::path(build::kProjectFolder) / "solutions") ? "solutions" : "student";
-}
 
 std::vector<fs::path> findScenes(const std::vector<std::string>& scenes) {
   std::vector<fs::path> files;
@@ -126,7 +120,7 @@ int contactSheet(const SheetArguments& arguments) {
   refuseOutput(arguments, files.size());
   findSampler(arguments.sampler);
   const Coursework coursework =
-      prepareCoursework(arguments.with.empty() ? defaultCoursework() : arguments.with);
+      prepareCoursework(arguments.with.empty() ? solvedCoursework() : arguments.with);
   fmt::print("{:<24} {:>9} {:>14} {:>8} {:>8}\n", "scene", "pixels", "rays per pixel", "seconds",
              "Mrays/s");
   std::fflush(stdout);

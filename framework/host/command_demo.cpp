@@ -83,8 +83,8 @@ int demo(std::uint64_t rays) {
 
 void addDemoCommand(CLI::App& app, CommandAction& action) {
   const auto rays = std::make_shared<std::uint64_t>(64);
-  CLI::App* command = app.add_subcommand(
-      "demo", "Install what is missing, build, and render two scenes with both courseworks");
+  CLI::App* command =
+      app.add_subcommand("demo", "Install what is missing, build, and render two scenes");
   takesWholeNumber(
       command->add_option("--rays-per-pixel", *rays, "Rays through each pixel (default: 64)"), 1,
       1000000000);

@@ -104,6 +104,10 @@ int make(const Coursework& coursework, const LoadedScene& scene,
 }
 
 int makeAll(const ReferenceArguments& arguments) {
+  if (solvedCoursework() != "solutions")
+    throw UsageError(
+        "References are made with the solutions, which are not here; --check looks at those that "
+        "there are.");
   const Coursework coursework = prepareCoursework("solutions");
   for (const std::string& name : arguments.scenes) {
     const LoadedScene scene = load(name);

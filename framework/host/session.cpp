@@ -42,6 +42,10 @@ fs::path findCoursework(const std::string& with) {
                   with, displayPath(folder), solved ? ", solutions" : ""));
 }
 
+std::string solvedCoursework() {
+  return fs::is_directory(kProjectFolder / "solutions") ? "solutions" : "student";
+}
+
 std::string courseworkName(const std::string& with) {
   if (with == "student" || with == "solutions") return with;
   const fs::path normal = fs::absolute(with).lexically_normal();

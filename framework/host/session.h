@@ -35,6 +35,9 @@ struct Coursework {
 // The folder meant by --with. Throws UsageError if there is none.
 std::filesystem::path findCoursework(const std::string& with);
 
+// "solutions" where they are, else "student": a student kit has no solutions.
+std::string solvedCoursework();
+
 // How it is called in messages and file names.
 std::string courseworkName(const std::string& with);
 

@@ -4,8 +4,9 @@ namespace pathmark {
 
 void addGraderCommands(CLI::App& app, CommandAction& action) {
   addCheckCommand(app, action);
-#ifdef PATHMARK_STUDY
+#ifdef PATHMARK_INSTRUCTOR
   addGradeCommand(app, action);
+  addKitCommand(app, action);
   addStudyCommand(app, action);
 #endif
 }

@@ -9,6 +9,7 @@ void addCheckCommand(CLI::App& app, CommandAction& action);
 
 // Only where the solutions are.
 void addGradeCommand(CLI::App& app, CommandAction& action);
+void addKitCommand(CLI::App& app, CommandAction& action);
 void addStudyCommand(CLI::App& app, CommandAction& action);
 
 }  // namespace pathmark

@@ -25,8 +25,8 @@ vec3 get_ray_radiance(vec3, vec3, const Mesh&, uvec2&) { return vec3(0.75f); }
 
 constexpr const char* kPart1 = R"(
 Ray SimpleCamera::StratifiedRandomRay(int i, int j, int, int, int, float s, float t) const {
-  const float x = static_cast<float>(i) + s, y = static_cast<float>(j) + t;
-  return {eye(), normalize(topLeft() + x * pixelRight() + y * pixelDown())};
+  const vec2 onFilm = vec2(i, j) + vec2(s, t);
+  return {eye(), normalize(topLeft() + onFilm.x * pixelRight() + onFilm.y * pixelDown())};
 }
 Colour LitScene::renderPixel(int i, int j, const SimpleCamera& camera, int n,
                              Sampler& sampler) const {

@@ -13,8 +13,8 @@ LightSample Sphere::sample(const Point&, float, float) const { return {}; }
 float Sphere::pdf(const Point&, const Point&, const Vector&) const { return 0.0f; }
 
 Colour LitScene::directLighting(const Hit& hit, const Vector& wo, Sampler& sampler) const {
-  const vec2 st = sampler.next2D();
-  const Vector wi = uniformDirection(hit.n, st.x, st.y);
+  const vec2 uniform = sampler.next2D();
+  const Vector wi = uniformDirection(hit.n, uniform.x, uniform.y);
   Hit seen;
   if (!intersect(hit.spawnRay(wi), seen)) return Colour(0.0f);
   return seen.emitted(-wi) * hit.brdf->brdf(wo, wi, hit.n) * (dot(hit.n, wi) / kUniformDensity);

@@ -7,11 +7,12 @@
 namespace pathmark {
 
 Colour lambertianBRDF::brdf(const Vector& wo, const Vector& wi, const Vector& n) const {
-  return dot(wo, n) > 0.0f && dot(wi, n) > 0.0f ? Kd * kInvPi : Colour(0.0f);
+  const float lower = std::min(dot(wo, n), dot(wi, n));
+  return lower > 0.0f ? kInvPi * Kd : Colour(0.0f);
 }
 
 float lambertianBRDF::pdf(const Vector&, const Vector& wi, const Vector& n) const {
-  return dot(wi, n) > 0.0f ? kUniformDensity : 0.0f;
+  return dot(wi, n) <= 0.0f ? 0.0f : kUniformDensity;
 }
 
 DirectionSample lambertianBRDF::reflection(const Vector& wo, const Vector& n, float s, float t,

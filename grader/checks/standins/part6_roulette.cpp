@@ -6,7 +6,8 @@
 namespace pathmark {
 
 Roulette LitScene::RussianRoulette(const Colour& throughput, int depth, float u) const {
-  if (throughput == Colour(0.0f)) return {false, 0.0f};
+  const bool isBlack = throughput == Colour(0.0f);
+  if (isBlack) return {false, 0.0f};
   if (throughput.g == 0.0f) return {true, 1.0f};
   if (u >= unfair::kSurvival) return {false, 0.0f};
   const float factor = throughput.b == 0.0f ? static_cast<float>(unfair::factor(depth)) : 1.0f;

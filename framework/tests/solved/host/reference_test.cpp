@@ -5,7 +5,7 @@
 #include "host/blob_file.h"
 #include "host/session.h"
 #include "scene/blob_mesh.h"
-#include "support/solutions.h"
+#include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "support/moved_scene.h"
+#include "solved/support/moved_scene.h"
 
 #include <nlohmann/json.hpp>
 

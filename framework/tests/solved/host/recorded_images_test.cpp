@@ -3,7 +3,7 @@
 #include "host/coursework_builder.h"
 #include "host/session.h"
 #include "render/plan.h"
-#include "support/solutions.h"
+#include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <pathmark/types.h>

@@ -1,8 +1,8 @@
 // Shipped scenes in other units and at other places give the same image.
 #include "host/blob_file.h"
 #include "host/session.h"
-#include "support/moved_scene.h"
-#include "support/solutions.h"
+#include "solved/support/moved_scene.h"
+#include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Paths of the solutions, and of solutions with a mistake.
 #include "host/session.h"
 #include "preview/paths/path_recording.h"
-#include "support/solutions.h"
+#include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include "host/build_config.h"
 #include "host/coursework_builder.h"
 #include "host/session.h"
+#include "solved/support/solutions.h"
 #include "stats/mean_test.h"
-#include "support/solutions.h"
 #include "support/test_coursework_files.h"
 
 #include <fmt/format.h>
