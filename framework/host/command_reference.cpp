@@ -55,11 +55,14 @@ void printRow(const std::string& name, const ImageFile& file) {
   std::fflush(stdout);
 }
 
+void refuseUnknownScenes(const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (!fs::exists(shippedSceneFile(name)))
+      throw UsageError(fmt::format("{} is no scene in scenes/: only those have references.", name));
+}
+
 LoadedScene load(const std::string& name) {
   const fs::path file = shippedSceneFile(name);
-  if (!fs::exists(file)) {
-    throw UsageError(fmt::format("{} is no scene in scenes/: only those have references.", name));
-  }
   if (needsShippedBlobFile(file)) makeShippedBlobFile();
   return loadScene(file);
 }
@@ -140,6 +143,7 @@ int reference(ReferenceArguments& arguments) {
   refuseUnequalReplicates(arguments.raysPerPixel, arguments.replicates);
   findSampler(arguments.sampler);
   if (arguments.scenes.empty()) arguments.scenes = shippedSceneNames();
+  refuseUnknownScenes(arguments.scenes);
   if (!arguments.check) {
     if (const int code = makeAll(arguments); code != kSuccess) return code;
   }

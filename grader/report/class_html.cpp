@@ -105,18 +105,44 @@ Markup overview(GradedClass graded, const std::vector<ClassPart>& parts) {
       distributionPlot(totals, largestTotal(graded)), partMeans(graded, parts));
 }
 
-// What a person should see before marks are handed out.
-Markup toLookAt(GradedClass graded) {
-  Markup list;
+// What is said, and of whom.
+struct Remark {
+  std::string sentence;
+  std::vector<const Graded*> submissions;
+};
+
+// After an internal error nothing else is said of a submission: it would follow from that.
+std::vector<Remark> remarksOf(GradedClass graded) {
+  std::vector<Remark> remarks;
   const auto add = [&](const Graded& g, const std::string& sentence) {
-    list +=
-        markup("<li><a href=\"{}\">{}</a> {}</li>\n", Markup{linkOf(g)}, g.record->name, sentence);
+    const auto same = [&](const Remark& remark) { return remark.sentence == sentence; };
+    auto found = std::find_if(remarks.begin(), remarks.end(), same);
+    if (found == remarks.end()) found = remarks.insert(remarks.end(), {sentence, {}});
+    found->submissions.push_back(&g);
   };
   for (const Graded& g : graded)
     if (g.record->internalError())
       add(g, fmt::format("could not be graded: {}", g.record->failure));
   for (const Graded& g : graded)
-    for (const std::string& sentence : g.marks->toReview) add(g, sentence);
+    for (const std::string& sentence : g.marks->toReview)
+      if (!g.record->internalError()) add(g, sentence);
+  return remarks;
+}
+
+// What a person should see before marks are handed out. The same of many takes one line.
+Markup toLookAt(GradedClass graded) {
+  constexpr std::size_t kMany = 6;
+  Markup list;
+  for (const Remark& remark : remarksOf(graded)) {
+    Markup links;
+    for (const Graded* g : remark.submissions)
+      links += markup("<a href=\"{}\">{}</a> ", Markup{linkOf(*g)}, g->record->name);
+    if (remark.submissions.size() < kMany)
+      list += markup("<li>{}{}</li>\n", links, remark.sentence);
+    else
+      list += markup("<li><details><summary>{} submissions: {}</summary>{}</details></li>\n",
+                     remark.submissions.size(), remark.sentence, links);
+  }
   if (list.html.empty()) return {};
   return markup(
       "<section class=\"part review\"><h2>Look at these first</h2>\n<ul>{}</ul></section>\n", list);

@@ -12,7 +12,7 @@ namespace pathmark::report {
 
 namespace {
 
-constexpr std::size_t kWidth = 100, kShortestName = 12, kLongestName = 24, kWords = 26;
+constexpr std::size_t kWidth = 100, kShortestName = 12, kLongestName = 24, kWords = 24;
 constexpr std::string_view kGap = "  ";
 
 constexpr std::string_view kGreen = "32", kRed = "31", kYellow = "33", kDim = "2", kBold = "1";

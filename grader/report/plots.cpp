@@ -141,8 +141,10 @@ Markup distributionPlot(std::span<const double> points, double outOf) {
     const double bin = std::clamp(usable(p) / outOf * kBins, 0.0, kBins - 1.0);
     counts[static_cast<std::size_t>(bin)] += 1.0;
   }
-  const PlotFrame frame(linearAxis("points", 0.0, outOf),
-                        linearAxis("submissions", 0.0, kHeadroom * largestOf(counts)));
+  // Ticks at whole submissions.
+  const PlotFrame frame(
+      linearAxis("points", 0.0, outOf),
+      linearAxis("submissions", 0.0, std::max(kHeadroom * largestOf(counts), 4.0)));
   return frame.svg("Distribution of the marks", bars(frame, 0.0, outOf, counts));
 }
 

@@ -15,12 +15,16 @@ using record::Verdict;
 
 namespace {
 
-template <typename List>
-std::optional<Verdict> worstVerdict(const List& list) {
-  std::optional<Verdict> worst;
-  for (const auto& entry : list)
-    if (!worst || worseThan(entry.verdict, *worst)) worst = entry.verdict;
-  return worst;
+std::optional<Verdict> bestVerdict(const std::vector<record::SceneRecord>& scenes) {
+  std::optional<Verdict> best;
+  for (const record::SceneRecord& scene : scenes)
+    if (!best || worseThan(*best, scene.verdict)) best = scene.verdict;
+  return best;
+}
+
+std::optional<Verdict> worstVerdict(const std::vector<CheckRecord>& checks) {
+  const CheckRecord* worst = worstOf(checks);
+  return worst != nullptr ? std::optional(worst->verdict) : std::nullopt;
 }
 
 // "part 4", "parts 2 and 3", "parts 2, 3 and 5".
@@ -35,7 +39,7 @@ std::string partNames(const std::vector<int>& parts) {
 }  // namespace
 
 std::optional<Verdict> verdictOfPart(const SubmissionRecord& record, int part) {
-  if (part == kScenesPart) return worstVerdict(record.scenes);
+  if (part == kScenesPart) return bestVerdict(record.scenes);
   if (part == kWhole) return worstVerdict(record.images);
   for (const PartRecord& p : record.parts)
     if (p.part == part) return p.verdict;

@@ -24,7 +24,8 @@ namespace pathmark::report {
 
 inline constexpr int kScenesPart = 7, kWhole = 8;
 
-// Nothing if the record does not say.
+// The worst of the whole, the best of the scenes: one good scene is enough. Nothing if the record
+// does not say.
 std::optional<record::Verdict> verdictOfPart(const record::SubmissionRecord& record, int part);
 
 std::string partName(int part);

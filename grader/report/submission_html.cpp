@@ -47,18 +47,14 @@ struct Loss {
   double points = 0.0;
 };
 
-// Lines that lost points; one for a part that lost all for one reason.
+// Lines that lost points; one for a part that lost all, with its first reason.
 std::vector<Loss> lossesOf(const PartView& view) {
   std::vector<Loss> losses;
   if (view.marks == nullptr) return losses;
-  bool oneReason = view.marks->points <= 0.0;
-  for (const rubric::MarkLine& line : view.marks->lines) {
-    if (line.outOf == 0.0) continue;
-    oneReason = oneReason && line.reason == view.marks->lines.front().reason;
-    if (line.points < line.outOf)
+  for (const rubric::MarkLine& line : view.marks->lines)
+    if (line.outOf > 0.0 && line.points < line.outOf)
       losses.push_back({view.part, line.what, line.reason, line.outOf - line.points});
-  }
-  if (losses.size() > 1 && oneReason)
+  if (losses.size() > 1 && view.marks->points <= 0.0)
     return {{view.part, view.title, losses.front().reason, view.marks->outOf}};
   return losses;
 }
@@ -74,8 +70,8 @@ Markup whereToBegin(const std::vector<PartView>& views) {
   losses.resize(std::min(losses.size(), kMost));
   Markup list;
   for (const Loss& loss : losses)
-    list += markup("<li><a href=\"#part-{}\">{}</a> {} <span class=\"cost\">\u2212{}</span></li>\n",
-                   loss.part, loss.what, loss.reason, pointsText(loss.points));
+    list += markup("<li><a href=\"#part-{}\">{}</a> <span class=\"cost\">\u2212{}</span> {}</li>\n",
+                   loss.part, loss.what, pointsText(loss.points), loss.reason);
   return markup("<nav class=\"begin\"><h2>Where most points were lost</h2>\n<ol>{}</ol></nav>\n",
                 list);
 }

@@ -7,6 +7,7 @@
 #include <archive_entry.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <locale.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -32,6 +33,25 @@ constexpr std::size_t kBlock = 4096;
 FileDescriptor openFile(const std::filesystem::path& file) {
   return FileDescriptor(open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
 }
+
+// Names in UTF-8 are handed on by the library as they are only where text is UTF-8, and a program
+// that has chosen no locale runs in "C". Of this thread alone.
+class Utf8Here {
+ public:
+  Utf8Here() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (utf8_ != nullptr) before_ = uselocale(utf8_);
+  }
+  ~Utf8Here() {
+    if (utf8_ == nullptr) return;
+    uselocale(before_);
+    freelocale(utf8_);
+  }
+  Utf8Here(const Utf8Here&) = delete;
+  Utf8Here& operator=(const Utf8Here&) = delete;
+
+ private:
+  locale_t utf8_, before_ = nullptr;
+};
 
 class Reader {
  public:
@@ -211,6 +231,7 @@ class Reader {
 }  // namespace
 
 void readArchive(const std::filesystem::path& file, const Limits& limits, const TakeEntry& take) {
+  const Utf8Here utf8;
   Reader(file, limits).entries(take);
 }
 

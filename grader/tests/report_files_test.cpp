@@ -91,6 +91,15 @@ const MarkupElement* caseNamed(const std::vector<MarkupElement>& elements,
   return nullptr;
 }
 
+TEST(MarkupReader, RefusesWhatIsNotWellFormed) {
+  const std::string begin = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  EXPECT_NO_THROW(test::readXml(begin + "<a b=\"&lt;\">c<d/>&amp;</a>\n"));
+  for (const char* text : {"", "<a>", "<a></b>", "<a/><b/>", "<a b=c/>", "<a b=\"<\"/>",
+                           "<a b=\"1\" b=\"2\"/>", "<a>&</a>", "<a>&nbsp;</a>", "<a>]]></a>",
+                           "<a><!-- --></a>", "<a>\x1b</a>", "<a>\xff</a>", "x<a/>"})
+    EXPECT_THROW(test::readXml(begin + text), test::MarkupError) << text;
+}
+
 TEST(JUnit, IsWellFormedAndCountsItsCases) {
   const auto elements = test::readXml(junitXml(test::sampleRecord("ben")));
   ASSERT_EQ(elements[0].name, "testsuites");

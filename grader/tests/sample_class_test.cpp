@@ -52,7 +52,11 @@ class SampleClass : public testing::Test {
   static WorkerFault faultOf(std::string_view name) {
     const CourseworkBuild build = built(name);
     EXPECT_TRUE(build.complete()) << build.failure();
-    WorkerProcess worker({build.worker, build.folder, {.secondsWithoutAnswer = 2.0}, {}, {}});
+    WorkerProcess::Options options;
+    options.program = build.worker;
+    options.courseworkFolder = build.folder;
+    options.limits.secondsWithoutAnswer = 2.0;
+    WorkerProcess worker(options);
     worker.loadScene(loadScene(kRoot / "scenes/furnace.json").flat);
     // Column, row, rays, seed: contract.h.
     constexpr std::array<std::uint32_t, 5> kPixel{0, 0, 4, 1, 2};
@@ -131,11 +135,11 @@ TEST_F(SampleClass, OneNeverEnds) { EXPECT_EQ(faultOf("never-ends"), WorkerFault
 TEST_F(SampleClass, OneForgesWhatTheGraderSays) {
   const CourseworkBuild build = built("cheats");
   std::string printed;
-  {
-    WorkerProcess worker(
-        {build.worker, build.folder, {}, [&](std::string_view text) { printed += text; }, {}});
-    worker.stubs();
-  }
+  WorkerProcess::Options options;
+  options.program = build.worker;
+  options.courseworkFolder = build.folder;
+  options.onText = [&](std::string_view text) { printed += text; };
+  WorkerProcess(options).stubs();
   EXPECT_NE(printed.find("All checks passed."), std::string::npos) << printed;
 }
 
