@@ -173,6 +173,10 @@ int grade(const GradeArguments& arguments) {
   fmt::print("{}", reports.table(isatty(STDOUT_FILENO) == 1));
   fmt::print("\nReports: {}; marks: {}; seed {}\n", displayPath(folder.path() / "report.html"),
              displayPath(folder.path() / "marks.csv"), folder.seed());
+  for (const std::string& name : reports.unreadable())
+    fmt::print(stderr,
+               "{}: this record is damaged, and in no report; grade the submission again.\n",
+               displayPath(folder.folderOf(name) / "record.json"));
   if (interrupted()) {
     fmt::print(stderr, "Interrupted; the same command goes on from here.\n");
     return kInterrupted;

@@ -35,9 +35,13 @@ std::string ClassReports::table(bool colour) const {
 ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubric) {
   std::vector<record::SubmissionRecord> records;
   std::vector<rubric::Marks> marks;
+  std::vector<std::string> unreadable;
   for (const std::string& name : folder.names()) {
     auto record = folder.find(name);
-    if (!record) continue;
+    if (!record) {
+      unreadable.push_back(name);
+      continue;
+    }
     marks.push_back(rubric::markSubmission(*record, rubric));
     records.push_back(std::move(*record));
   }
@@ -52,7 +56,7 @@ ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubri
   writeFileAtomically(folder.path() / "marks.csv", report::marksCsv(graded));
   writeFileAtomically(folder.path() / "junit.xml", report::junitXml(graded));
   writeFileAtomically(folder.path() / "report.html", report::classHtml(graded));
-  return {std::move(records), std::move(marks)};
+  return {std::move(records), std::move(marks), std::move(unreadable)};
 }
 
 }  // namespace pathmark::grading

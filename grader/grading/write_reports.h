@@ -13,8 +13,11 @@ namespace pathmark::grading {
 
 class ClassReports {
  public:
-  ClassReports(std::vector<record::SubmissionRecord> records, std::vector<rubric::Marks> marks)
-      : records_(std::move(records)), marks_(std::move(marks)) {}
+  ClassReports(std::vector<record::SubmissionRecord> records, std::vector<rubric::Marks> marks,
+               std::vector<std::string> unreadable)
+      : records_(std::move(records)),
+        marks_(std::move(marks)),
+        unreadable_(std::move(unreadable)) {}
 
   // For a terminal.
   std::string table(bool colour) const;
@@ -22,9 +25,13 @@ class ClassReports {
   const std::vector<record::SubmissionRecord>& records() const { return records_; }
   const std::vector<rubric::Marks>& marks() const { return marks_; }
 
+  // Names of submissions whose records are damaged: they are in none of the reports.
+  const std::vector<std::string>& unreadable() const { return unreadable_; }
+
  private:
   std::vector<record::SubmissionRecord> records_;
   std::vector<rubric::Marks> marks_;
+  std::vector<std::string> unreadable_;
 };
 
 // Beside each record report.html, results.json and junit.xml; for the class report.html, marks.csv

@@ -154,6 +154,17 @@ TEST_F(GradeCommand, ANewRubricMarksRecordsAnewWithoutRunningThem) {
   EXPECT_EQ(csv.find("55"), std::string::npos) << csv;
 }
 
+TEST_F(GradeCommand, GradesAgainWhatHasADamagedRecord) {
+  add("right");
+  ASSERT_EQ(grade().exitCode, 0);
+  std::ofstream(recordOf("right")) << "{";
+  const ProcessResult marks =
+      run({PATHMARK_PROGRAM, "grade", "--out", quoted(out()), "--only", "part6"}, kRoot);
+  EXPECT_NE(marks.output.find("this record is damaged"), std::string::npos) << marks.output;
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_EQ(record("right")["parts"][0]["verdict"], "ok");
+}
+
 TEST_F(GradeCommand, KeepsTheSeedOfItsFolder) {
   add("right");
   ASSERT_EQ(grade({"--seed", "3"}).exitCode, 0);
