@@ -232,4 +232,16 @@ bool EmbreeIntersector::occluded(const Point& origin, const Vector& segment) con
   return ray.tfar < 0.0f;
 }
 
+void warmUpEmbree() {
+  constexpr int kTriangles = 1000;  // enough for several threads
+  FlatScene scene;
+  scene.materials.emplace_back();
+  scene.shapes.emplace_back();
+  for (int k = 0; k < kTriangles; ++k) {
+    const auto x = static_cast<float>(k);
+    scene.addTriangle({Float3{x, 0, 0}, Float3{x + 1, 0, 0}, Float3{x, 1, 0}}, {0, 0, 1}, 0);
+  }
+  const EmbreeIntersector used(viewOf(scene));
+}
+
 }  // namespace pathmark

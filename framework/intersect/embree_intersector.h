@@ -48,4 +48,9 @@ class EmbreeIntersector {
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
+// Embree and its task scheduler look at the machine when they are first used: at its processors,
+// the stack, and libraries that might be there. Afterwards a scene needs nothing but memory and
+// threads.
+void warmUpEmbree();
+
 }  // namespace pathmark

@@ -11,16 +11,18 @@ namespace pathmark {
 
 namespace {
 
-// Of Embree's task scheduler, of the allocator, of locales and of the clock.
-constexpr std::string_view kHarmless[] = {
-    "/sys/",         "/proc/sys/",      "/proc/meminfo",       "/proc/cpuinfo",
-    "/proc/mounts",  "/proc/self/cgro", "/proc/self/mounti",   "/proc/filesystems",
-    "/etc/ld.so.ca", "/etc/localtime",  "/usr/share/zoneinfo", "/usr/lib/locale",
-};
 // SYS_SECCOMP of asm-generic/siginfo.h, which cannot be included beside the C library's.
 constexpr int kByFilter = 1;
 
-constexpr std::string_view kHarmlessLibraries[] = {"libtbb", "libhwloc"};
+// Of Embree's task scheduler, of the allocator, of locales and of the clock.
+constexpr std::string_view kHarmless[] = {
+    "/sys/",           "/proc/sys/",        "/proc/meminfo",
+    "/proc/cpuinfo",   "/proc/mounts",      "/proc/stat",
+    "/proc/self/cgro", "/proc/self/mounti", "/proc/filesystems",
+    "/etc/ld.so.ca",   "/etc/localtime",    "/usr/share/zoneinfo",
+    "/usr/lib/locale",
+};
+constexpr std::string_view kHarmlessLibraries[] = {"libtbb", "libhwloc", "libiomp", "libirml"};
 
 std::uintptr_t argument(const void* context, int index) {
   [[maybe_unused]] const mcontext_t& registers =

@@ -1,5 +1,7 @@
 #include "worker/lock.h"
 
+#include "intersect/embree_intersector.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -77,6 +79,7 @@ class Filter {
 }  // namespace
 
 bool lockWorker() {
+  warmUpEmbree();
   Filter filter;
 #ifdef SYS_open
   for (const long call : {SYS_open, SYS_creat, SYS_access, SYS_stat, SYS_lstat, SYS_readlink})

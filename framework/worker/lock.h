@@ -7,7 +7,8 @@
 
 namespace pathmark {
 
-// Returns whether the lock holds; for the whole process, and for good.
+// Returns whether the lock holds; for the whole process, and for good. First uses what could not
+// start behind it.
 bool lockWorker();
 
 }  // namespace pathmark

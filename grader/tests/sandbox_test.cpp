@@ -100,6 +100,23 @@ TEST_P(Sandbox, CourseworkIsCompiledLinkedAndRun) {
   EXPECT_EQ(inside.image.rgb, render(*plain).image.rgb);
 }
 
+// Embree and its task scheduler look at the machine when they start, which is after the worker's
+// lock.
+TEST_P(Sandbox, ALargeMeshIsRendered) {
+  FlatScene scene = emptyScene(4, 4);
+  scene.shapes.emplace_back();
+  for (int k = 0; k < 20000; ++k) {
+    const float x = 0.01f * static_cast<float>(k);
+    scene.addTriangle({Float3{x, 0, -5}, Float3{x + 0.01f, 0, -5}, Float3{x, 1, -5}}, {0, 0, 1}, 0);
+  }
+  const auto worker = start(shortLimits());
+  worker->loadScene(scene);
+  SharedFilm film(4, 4);
+  RenderJob job;
+  job.threads = 2;
+  worker->render(job, film, [](const RenderProgress&) { return true; });
+}
+
 TEST_P(Sandbox, WhatTheCompilerSaysNamesTheStudentsFile) {
   coursework_.setFile("part6_roulette.cpp", "int wrong = ;\n");
   const std::string failure = build().failure();
