@@ -146,9 +146,9 @@ class Judge::Session {
   }
 
   // Pictures of `scenes` with this program, a new worker for each: none sees what another left.
+  // A curve of errors is made of the first of the whole.
   void compare(const LinkedWorker& linked, const std::vector<marking::MarkingScene>& scenes,
-               const std::string& name, bool convergence,
-               std::vector<record::PictureRecord>& pictures) {
+               const std::string& name, bool whole, std::vector<record::PictureRecord>& pictures) {
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       marking::Compared compared;
       compared.record.scene = scenes[k].name;
@@ -157,7 +157,7 @@ class Judge::Session {
         try {
           const auto worker = start(linked.worker);
           const marking::CompareOptions options{mix(judge_.options_.seed + k), threads_,
-                                                convergence};
+                                                whole && k == 0};
           compared = marking::comparePicture(*worker, scenes[k], *judge_.solved_, options);
         } catch (const WorkerError& e) {
           compared.record.failure = e.what();

@@ -18,7 +18,7 @@ namespace pathmark::marking {
 namespace {
 
 // Of the curve of errors.
-constexpr std::array<std::uint64_t, 5> kRayCounts{1, 4, 16, 64, 256};
+constexpr std::array<std::uint64_t, 4> kRayCounts{1, 4, 16, 64};
 
 // In the picture of differences, at least: what is nothing but noise stays pale.
 constexpr double kLeastScale = 0.05;
