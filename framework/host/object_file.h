@@ -17,9 +17,9 @@ namespace pathmark {
 bool takeFile(const std::filesystem::path& from, const std::filesystem::path& to,
               std::size_t largest);
 
-// Nothing, of a relocatable ELF file without code for the linker's plug-ins, without a loader of its
-// own, and without functions that run before the program has begun: the linker would read anything
-// else as a script, and the worker's own locks would come too late.
+// Nothing, of a relocatable ELF file without code for the linker's plug-ins, without a loader of
+// its own, and without functions that run before the program has begun: the linker would read
+// anything else as a script, and the worker's own locks would come too late.
 std::optional<std::string> objectComplaint(std::span<const std::byte> bytes);
 std::optional<std::string> objectComplaint(const std::filesystem::path& file);
 
