@@ -6,8 +6,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,6 +23,35 @@ namespace {
 constexpr uid_t kNobody = 65534;
 // Above what system users, containers and sub-users are given.
 constexpr uid_t kFirstUser = 0x70000000;
+
+constexpr std::string_view kPrefix = "pathmark-sandbox.";
+
+// Longer than a step of compiling or linking may take, which uses copies until its end.
+constexpr auto kKeepUnused = std::chrono::minutes(3);
+
+// Holds the lock of a staging folder; nothing if somebody else does, or there is none.
+FileDescriptor lockOf(const fs::path& folder, int create) {
+  FileDescriptor lock(
+      open((folder / "lock").c_str(), O_RDWR | O_CLOEXEC | create, S_IRUSR | S_IWUSR));
+  if (lock.get() >= 0 && flock(lock.get(), LOCK_EX | LOCK_NB) != 0) lock.reset();
+  return lock;
+}
+
+// What processes have left that were killed.
+void removeForsaken() {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), error)) {
+    struct stat status {};
+    if (!entry.path().filename().string().starts_with(kPrefix) ||
+        lstat(entry.path().c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+        status.st_uid != geteuid())
+      continue;
+    if (const FileDescriptor lock = lockOf(entry.path(), 0); lock.get() >= 0) {
+      std::error_code ignored;
+      fs::remove_all(entry.path(), ignored);
+    }
+  }
+}
 
 bool mayBecome(uid_t user) {
   std::ifstream map("/proc/self/uid_map");
@@ -73,12 +105,14 @@ std::size_t processesOfUser() {
 }
 
 Staging::Staging() : copies_(geteuid() == 0) {
-  std::string name = (fs::temp_directory_path() / "pathmark-sandbox.XXXXXX").string();
+  removeForsaken();
+  std::string name = (fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX")).string();
   if (!mkdtemp(name.data()))
     throw std::system_error(errno, std::generic_category(), "a folder for the sandbox");
   folder_ = name;
   // Passable for those who know a name in it.
   chmod(name.c_str(), 0711);
+  lock_ = lockOf(folder_, O_CREAT);
   fs::create_directory(folder_ / "scratch");
   chmod((folder_ / "scratch").c_str(), 0711);
 }
@@ -95,14 +129,31 @@ fs::path Staging::visible(const fs::path& path) {
   const std::lock_guard lock(mutex_);
   std::string stamp = stampOf(own);
   const auto known = staged_.find(own);
-  if (known != staged_.end() && known->second == stamp) return copy;
+  if (known != staged_.end() && known->second.stamp == stamp) {
+    known->second.used = Clock::now();
+    return copy;
+  }
+  forgetUnused();
   // Folders on the way, too, for others to pass.
   const mode_t mask = umask(022);
   fs::create_directories(copy.parent_path());
   copyReadable(own, copy);
   umask(mask);
-  staged_[own] = std::move(stamp);
+  staged_[own] = {std::move(stamp), Clock::now()};
   return copy;
+}
+
+// The workers of a large class would fill the disk. Running ones keep their copies' contents.
+void Staging::forgetUnused() {
+  for (auto copy = staged_.begin(); copy != staged_.end();) {
+    if (Clock::now() - copy->second.used < kKeepUnused) {
+      ++copy;
+      continue;
+    }
+    std::error_code ignored;
+    fs::remove_all(folder_ / "files" / copy->first.relative_path(), ignored);
+    copy = staged_.erase(copy);
+  }
 }
 
 fs::path Staging::makeScratchFolder() {

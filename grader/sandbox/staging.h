@@ -4,6 +4,9 @@
 //   Staging     a folder of copies that such a user may read, and of scratch folders
 #pragma once
 
+#include "host/shared_memory.h"
+
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -36,10 +39,19 @@ class Staging {
   std::filesystem::path makeScratchFolder();  // throws std::system_error
 
  private:
+  using Clock = std::chrono::steady_clock;
+  struct Copy {
+    std::string stamp;  // of what was copied
+    Clock::time_point used;
+  };
+
+  void forgetUnused();
+
   std::filesystem::path folder_;
+  FileDescriptor lock_;  // held while the folder is in use
   bool copies_;
   std::mutex mutex_;
-  std::map<std::filesystem::path, std::string> staged_;  // with the stamp of what was copied
+  std::map<std::filesystem::path, Copy> staged_;
 };
 
 }  // namespace pathmark::sandbox

@@ -65,6 +65,8 @@ std::string quoted(const fs::path& path) { return inQuotes(path.string()); }
 
 class Finder {
  public:
+  explicit Finder(bool onlyOnePath) : onlyOnePath_(onlyOnePath) {}
+
   void path(const fs::path& given) {
     std::error_code error;
     const fs::path real = fs::canonical(given, error);
@@ -115,7 +117,7 @@ class Finder {
     const std::optional<FolderReader> reader = FolderReader::open(path);
     if (!reader) {
       found_.remarks.push_back(fmt::format("{} was left out: it cannot be read.", quoted(path)));
-    } else if (isSubmission(*reader)) {
+    } else if (isSubmission(*reader, onlyOnePath_ ? kMostWrappers : 0)) {
       add(path, nameOf(path, false), false);
     } else {
       classFolder(path, *reader);
@@ -165,6 +167,8 @@ class Finder {
     }
   }
 
+  // A folder that is named alone is a class, even if only one has handed in so far.
+  bool onlyOnePath_;
   FoundSubmissions found_;
   std::set<fs::path> sources_;
 };
@@ -172,7 +176,7 @@ class Finder {
 }  // namespace
 
 FoundSubmissions findSubmissions(std::span<const fs::path> paths) {
-  Finder finder;
+  Finder finder(paths.size() == 1);
   for (const fs::path& path : paths) finder.path(path);
   return finder.finish();
 }

@@ -32,7 +32,8 @@ struct FoundSubmissions {
   std::vector<std::string> remarks;     // about what is no submission: sentences
 };
 
-// A folder that is no submission is a class: each of its entries may be one. A folder of a class
+// A folder that is no submission is a class: each of its entries may be one. A folder that is the
+// only path, and merely wraps another one, is a class of one. A folder of a class
 // that holds nothing but one archive, as learning platforms make them, is that archive under the
 // folder's name.
 FoundSubmissions findSubmissions(std::span<const std::filesystem::path> paths);

@@ -76,6 +76,13 @@ TEST_F(Finding, AFolderOfSubmissionsIsAClass) {
   EXPECT_EQ(found.remarks.size(), 2u);
 }
 
+TEST_F(Finding, AFolderThatIsNamedAloneAndWrapsOneIsAClassOfOne) {
+  write("class/alice/part0_warmup.cpp");
+  write("bob/part0_warmup.cpp");
+  EXPECT_EQ(namesOf({"class"}), Names{"alice"});
+  EXPECT_EQ(namesOf({"bob"}), Names{"bob"});
+}
+
 TEST_F(Finding, AFolderBesideAnArchiveIsAClass) {
   write("class/alice/part0_warmup.cpp");
   archive("class/bob.zip");

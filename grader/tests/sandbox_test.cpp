@@ -3,12 +3,14 @@
 #include "host/coursework_builder.h"
 #include "host/render_loop.h"
 #include "sandbox/self_test.h"
+#include "sandbox/staging.h"
 #include "support/sandbox_tiers.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <fstream>
 
 namespace pathmark::test {
 namespace {
@@ -245,6 +247,18 @@ TEST_P(Sandbox, CompileBombsCostTheirPartOnly) {
     EXPECT_FALSE(made.parts.at(static_cast<std::size_t>(part)).compiled);
   for (const int part : {0, 1, 2, 3})
     EXPECT_TRUE(made.parts.at(static_cast<std::size_t>(part)).compiled);
+}
+
+TEST(Staging, RemovesWhatKilledProcessesHaveLeftAndNothingElse) {
+  const std::filesystem::path forsaken =
+      std::filesystem::temp_directory_path() / "pathmark-sandbox.forsaken";
+  std::filesystem::create_directories(forsaken / "files");
+  std::ofstream(forsaken / "lock");
+  sandbox::Staging first;
+  EXPECT_FALSE(std::filesystem::exists(forsaken));
+  const std::filesystem::path inUse = first.makeScratchFolder();
+  const sandbox::Staging second;
+  EXPECT_TRUE(std::filesystem::exists(inUse));
 }
 
 }  // namespace
