@@ -42,7 +42,7 @@ void vary(MarkingScene& scene, std::uint64_t seed) {
 MarkingScene sceneLike(const std::string& name, std::uint64_t seed,
                        Estimator estimator = Estimator::kPath) {
   const LoadedScene loaded = loadScene(shippedSceneFile(name), {.size = {{kPixels, kPixels}}});
-  MarkingScene scene{"like " + name, loaded.flat, estimator, loaded.exposure};
+  MarkingScene scene{"a scene like " + name, loaded.flat, estimator, loaded.exposure};
   std::uint64_t hash = mix(seed + kGolden);
   for (const char c : name) hash = mix(hash + static_cast<unsigned char>(c));
   vary(scene, hash);

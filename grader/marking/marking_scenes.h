@@ -15,7 +15,7 @@
 namespace pathmark::marking {
 
 struct MarkingScene {
-  std::string name;  // "like cornell_box"
+  std::string name;  // "a scene like cornell_box"
   FlatScene flat;
   Estimator estimator = Estimator::kPath;
   double exposure = 1.0;  // for display

@@ -33,7 +33,7 @@ SubmissionRecord fullRecord() {
   check.calls = 12345678901;
   part.functions.back().checks.push_back(check);
   PictureRecord picture;
-  picture.scene = "like cornell_box";
+  picture.scene = "a scene like cornell_box";
   picture.bias = {0.02, 0.018, 0.022};
   picture.meanError[2] = {-0.1, -0.2, 0.0};
   picture.efficiency = Estimate{1.0, 0.9, HUGE_VAL};
