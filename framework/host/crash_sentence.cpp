@@ -50,7 +50,8 @@ std::string briefName(std::string function) {
     return "the initial value of a global variable";
   for (const std::string_view space : {"pathmark::", "(anonymous namespace)::"})
     while (function.rfind(space, 0) == 0) function.erase(0, space.size());
-  return function.substr(0, function.find('('));
+  const std::string name = function.substr(0, function.find('('));
+  return name.ends_with("operator") ? name + "()" : name;
 }
 
 // What an exception says comes from coursework: control characters would reach the terminal.

@@ -7,6 +7,8 @@
 //   // Expected: forbidden call openat
 //   // Says: /etc/passwd
 //
+// One that does not define part 6 itself defines attack(), which a part 6 that is right calls.
+//
 // @CANARY@ stands for a folder that everybody may read and write, with a file "canary"; @ROOT@ for
 // the project's folder; @HOST@ for the number of this process.
 #include "checks/runner.h"
@@ -38,6 +40,21 @@ constexpr const char* kFile = "part6_roulette.cpp";
 constexpr const char* kSecret = "int canary = \"never to be seen\";\n";
 constexpr const char* kSecretWords = "never to be seen";
 constexpr std::size_t kMostMessages = std::size_t{300} << 10;
+
+constexpr const char* kRightFunction = R"(
+namespace pathmark {
+
+Roulette LitScene::RussianRoulette(const Colour& throughput, int, float u) const {
+  static const int done = attack();
+  (void)done;
+  const float largest = std::max({throughput.r, throughput.g, throughput.b});
+  if (!(largest > 0.0f)) return {false, 0.0f};
+  const float q = std::clamp(largest, 0.1f, 0.9f);
+  return u < q ? Roulette{true, 1.0f / q} : Roulette{false, 0.0f};
+}
+
+}  // namespace pathmark
+)";
 
 std::vector<std::string> attackNames() {
   std::vector<std::string> names;
@@ -103,11 +120,13 @@ Outcome outcomeOf(const PartBuild& built, const checks::PartResult& part) {
   if (part.fault) return {verdictOf(*part.fault), part.failure};
   if (!part.failure.empty()) return {"does not link", part.failure};
   Outcome outcome{"ok", {}};
-  for (const checks::FunctionResult& f : part.functions)
+  for (const checks::FunctionResult& f : part.functions) {
+    if (f.status == checks::Status::kNotWritten) return {"not written", {}};
     for (const checks::CheckResult& c : f.checks) {
       if (c.finding.fault) return {verdictOf(*c.finding.fault), c.finding.got};
       if (c.finding.status == checks::Status::kFail) outcome = {"wrong", c.finding.got};
     }
+  }
   return outcome;
 }
 
@@ -133,6 +152,9 @@ class Attack : public testing::TestWithParam<std::tuple<std::string, Tier>> {
     replaceAll(text, "@CANARY@", canary_.path().string());
     replaceAll(text, "@ROOT@", PATHMARK_ROOT);
     replaceAll(text, "@HOST@", std::to_string(getpid()));
+    if (text.find(" attack() {") != std::string::npos &&
+        text.find("RussianRoulette") == std::string::npos)
+      text += kRightFunction;
     return text;
   }
 
