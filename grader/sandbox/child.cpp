@@ -12,7 +12,9 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <linux/seccomp.h>
+#include <linux/securebits.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -73,6 +75,16 @@ bool becomeUser(uid_t user) {
          syscall(SYS_setresuid, user, user, user) == 0;
 }
 
+// What is root's then is what root owns: Landlock rules over files, and nothing else is left.
+bool giveUpCapabilities() {
+  for (unsigned long capability = 0; prctl(PR_CAPBSET_READ, capability, 0, 0, 0) >= 0; ++capability)
+    if (prctl(PR_CAPBSET_DROP, capability, 0, 0, 0) != 0) return false;
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> nothing{};
+  return prctl(PR_SET_SECUREBITS, SECBIT_NOROOT | SECBIT_NOROOT_LOCKED, 0, 0, 0) == 0 &&
+         syscall(SYS_capset, &header, nothing.data()) == 0;
+}
+
 // Where memory runs out, this process is the one to end.
 void offerToBeKilled() {
   const int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
@@ -105,6 +117,7 @@ struct Strings {
     if (setrlimit(limit.what, &both) != 0) give(Stage::kLimits);
   }
   if (plan.user && !becomeUser(*plan.user)) give(Stage::kUser);
+  if (plan.powerless && !plan.user && geteuid() == 0 && !giveUpCapabilities()) give(Stage::kUser);
   // After the change of user, which forgets it.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);

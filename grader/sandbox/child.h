@@ -37,6 +37,7 @@ struct ChildPlan {
 
   std::vector<Limit> limits;
   std::optional<uid_t> user;  // to become, with the group of the same number
+  bool powerless = false;     // where it stays root: without root's capabilities, for good
   int rules = -1;             // of Landlock
   CallFilter filter;          // empty: none
 };

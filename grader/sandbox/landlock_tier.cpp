@@ -29,6 +29,7 @@ Started LandlockTier::start(Launch launch) {
     launch.plan.program = program.get();
   }
   launch.plan.rules = rules.descriptor();
+  launch.plan.powerless = true;
   launch.plan.filter = launch.worker ? workerFilter_ : toolFilter_;
   Started started;
   started.pid = startChild(launch.plan);

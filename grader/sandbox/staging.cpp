@@ -83,7 +83,8 @@ void copyReadable(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 std::optional<uid_t> nextUser() {
-  if (geteuid() != 0) return std::nullopt;
+  struct stat top {};
+  if (geteuid() != 0 || stat("/", &top) != 0 || (top.st_mode & S_IXOTH) == 0) return std::nullopt;
   static std::atomic<uid_t> count{0};
   const uid_t user =
       kFirstUser | ((static_cast<uid_t>(getpid()) & 0xffff) << 12) | (count++ & 0xfff);

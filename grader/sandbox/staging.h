@@ -17,7 +17,8 @@
 
 namespace pathmark::sandbox {
 
-// Nothing unless this process is root's. Otherwise a number that nobody else has, so that limits
+// Nothing unless this process is root's, and nothing where others may not even pass through the
+// root folder: they could run no program. Otherwise a number that nobody else has, so that limits
 // count the program's own processes alone and signals reach nobody; "nobody" in a container that
 // has no such numbers.
 std::optional<uid_t> nextUser();

