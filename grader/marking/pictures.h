@@ -16,8 +16,8 @@
 
 namespace pathmark::marking {
 
-// Four rays of each pixel in a replicate: two strata in each direction. A picture takes about half a
-// second on two processors.
+// Four rays of each pixel in a replicate: two strata in each direction. A picture takes about half
+// a second on two processors.
 inline constexpr std::uint32_t kReplicates = 32;
 inline constexpr std::uint64_t kRaysPerPixel = 128;
 
