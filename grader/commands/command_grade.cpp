@@ -12,13 +12,13 @@
 #include "host/session.h"
 #include "rubric/rubric.h"
 #include "sandbox/sandbox.h"
+#include "submission/names.h"
 #include "submission/submission.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -109,13 +109,6 @@ class Screen {
   bool internalError_ = false;
 };
 
-std::string lowerCase(std::string_view words) {
-  std::string lower(words);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 rubric::Rubric readRubricFor(const GradeArguments& arguments) {
   try {
     return rubric::readRubric(arguments.rubric.empty() ? rubric::defaultRubric()
@@ -128,7 +121,7 @@ rubric::Rubric readRubricFor(const GradeArguments& arguments) {
 std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
   if (!arguments.sandbox.empty()) {
     for (const sandbox::Tier tier : {sandbox::Tier::kBubblewrap, sandbox::Tier::kLandlock})
-      if (lowerCase(sandbox::nameOf(tier)) == lowerCase(arguments.sandbox))
+      if (submission::lowerCase(nameOf(tier)) == submission::lowerCase(arguments.sandbox))
         return sandbox::openSandbox(tier);
     throw UsageError(
         fmt::format("--sandbox: found {}, allowed is bubblewrap or landlock.", arguments.sandbox));

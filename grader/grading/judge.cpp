@@ -18,6 +18,7 @@
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 
 namespace pathmark::grading {
 
@@ -28,6 +29,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kPrintedBytes = 4096;  // that are kept of what a coursework prints
 constexpr double kShareOfChecks = 0.6;       // of the time for a submission, about
 constexpr int kLongestSide = 192;            // of the pictures of a submission's own scenes
+
+// Of address space. Each thread reserves some for its stack and its heap, used or not.
+std::size_t memoryOfWorker() {
+  constexpr std::size_t kBase = std::size_t{2} << 30, kThread = std::size_t{128} << 20;
+  return kBase + kThread * std::max(1u, std::thread::hardware_concurrency());
+}
 
 std::unique_ptr<WorkerProcess> startWorker(const std::filesystem::path& program) {
   WorkerProcess::Options options;
@@ -105,6 +112,7 @@ class Judge::Session {
     checks::RunOptions options;
     options.seed = judge_.options_.seed;
     options.threads = threads_;
+    options.memoryBytes = memoryOfWorker();
     options.onText = [&](std::string_view text) { keepPrinted(text); };
     checks::RunEvents events;
     events.onProgress = [&](double fraction, const std::string&) {
@@ -124,6 +132,7 @@ class Judge::Session {
     options.program = program;
     options.courseworkFolder = folder_;
     options.confinement = judge_.confinement_;
+    options.limits.memoryBytes = memoryOfWorker();
     options.onText = [&](std::string_view text) { keepPrinted(text); };
     options.goOn = [&] { return goOn(); };
     return std::make_unique<WorkerProcess>(std::move(options));
