@@ -3,6 +3,7 @@
 
 #include "checks/check.h"
 #include "checks/scene_checks.h"
+#include "diagnosis/diagnosis.h"
 
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct FunctionResult {
   FunctionContract function;
   Status status = Status::kPass;  // the worst of its checks
   std::vector<CheckResult> checks;
+  diagnosis::Diagnosis diagnosis{};  // of what is wrong
 };
 
 struct PartResult {

@@ -65,6 +65,9 @@ struct FunctionRecord {
   std::string name;     // "lambertianBRDF::reflection"
   Verdict verdict = Verdict::kOk;
   std::vector<CheckRecord> checks;
+  std::string mistake{};   // the known mistake that it makes, by its name; empty: none clearly
+  std::string what{};      // the same in words
+  std::string evidence{};  // what agrees
 };
 
 // A number with its confidence interval.
@@ -151,7 +154,7 @@ struct BuildRecord {
 };
 
 struct SubmissionRecord {
-  static constexpr int kFormat = 1;
+  static constexpr int kFormat = 2;
 
   std::string name;      // unique in a class
   std::string source;    // the folder or archive, as it was given

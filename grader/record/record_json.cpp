@@ -80,6 +80,9 @@ void visit(Visitor& v, T& f) requires std::same_as<std::remove_const_t<T>, Funct
   v("name", f.name);
   v("verdict", f.verdict);
   v("checks", f.checks);
+  v("mistake", f.mistake);
+  v("what", f.what);
+  v("evidence", f.evidence);
 }
 
 template <class Visitor, class T>

@@ -81,7 +81,7 @@ TEST(Record, WhatIsNoneIsASentence) {
   const std::string good = toJson(fullRecord());
   for (const std::string& text :
        {std::string(), std::string("{}"), std::string("[1]"), std::string("{\"format\": 99}"),
-        good.substr(0, good.size() / 2), std::string("{\"format\": 1, \"name\": 3}")}) {
+        good.substr(0, good.size() / 2), std::string("{\"format\": 2, \"name\": 3}")}) {
     try {
       recordFromJson(text, "record.json");
       ADD_FAILURE() << text;
