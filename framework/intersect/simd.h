@@ -4,12 +4,18 @@
 //   FloatV, kLanes   the vector
 //   LaneArray        memory for one
 //   load             memory -> vector
+//   plusProduct      a + b c, and
+//   minusProduct     a - b c: rounded once where the processor can
 //   NearestV         the nearest hit of each lane, and of all of them
 #pragma once
 
 #include "intersect/primitive_hit.h"
 
 #include <experimental/simd>
+
+#if defined(__FMA__) && defined(__AVX__)
+#include <immintrin.h>
+#endif
 
 #include <cstdint>
 #include <limits>
@@ -29,6 +35,29 @@ struct alignas(simd::memory_alignment_v<FloatV>) LaneArray {
 };
 
 inline FloatV load(const LaneArray& a) { return {a.lane, simd::vector_aligned}; }
+
+#if defined(__FMA__) && defined(__AVX512F__)
+inline FloatV plusProduct(const FloatV& a, const FloatV& b, const FloatV& c) {
+  return FloatV(
+      _mm512_fmadd_ps(static_cast<__m512>(b), static_cast<__m512>(c), static_cast<__m512>(a)));
+}
+inline FloatV minusProduct(const FloatV& a, const FloatV& b, const FloatV& c) {
+  return FloatV(
+      _mm512_fnmadd_ps(static_cast<__m512>(b), static_cast<__m512>(c), static_cast<__m512>(a)));
+}
+#elif defined(__FMA__) && defined(__AVX__)
+inline FloatV plusProduct(const FloatV& a, const FloatV& b, const FloatV& c) {
+  return FloatV(
+      _mm256_fmadd_ps(static_cast<__m256>(b), static_cast<__m256>(c), static_cast<__m256>(a)));
+}
+inline FloatV minusProduct(const FloatV& a, const FloatV& b, const FloatV& c) {
+  return FloatV(
+      _mm256_fnmadd_ps(static_cast<__m256>(b), static_cast<__m256>(c), static_cast<__m256>(a)));
+}
+#else
+inline FloatV plusProduct(const FloatV& a, const FloatV& b, const FloatV& c) { return a + b * c; }
+inline FloatV minusProduct(const FloatV& a, const FloatV& b, const FloatV& c) { return a - b * c; }
+#endif
 
 // The nearest hit so far in each lane, and which primitive it is with.
 struct NearestV {

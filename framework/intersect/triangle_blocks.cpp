@@ -2,6 +2,8 @@
 
 #include "intersect/triangle_pairs.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 
 namespace pathmark {
@@ -22,7 +24,9 @@ Float3 normalOf(const std::array<Float3, 3>& corners) {
 
 TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
                                std::span<const std::uint32_t> triangles) {
-  const std::vector<TrianglePair> pairs = pairTriangles(scene, triangles);
+  std::vector<TrianglePair> pairs = pairTriangles(scene, triangles);
+  // Those that are not flat side by side, in as few blocks as they need.
+  std::stable_partition(pairs.begin(), pairs.end(), [](const TrianglePair& p) { return !p.flat; });
   blocks_.resize((pairs.size() + kLanes - 1) / kLanes);
   for (std::size_t i = 0; i < blocks_.size() * kLanes; ++i) {
     Block& block = blocks_[i / kLanes];
@@ -32,96 +36,123 @@ TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
       for (std::size_t axis = 0; axis < 3; ++axis)
         block.vertex[corner][axis].lane[lane] = present ? pairs[i].corner[corner][axis] : kNaN;
     for (std::size_t k = 0; k < 2; ++k) {
-      block.index[k].lane[lane] = present ? static_cast<float>(pairs[i].triangle[k]) : 0.0f;
+      const std::uint32_t triangle = present ? pairs[i].triangle[pairs[i].flat ? 0 : k] : 0;
+      block.index[k].lane[lane] = static_cast<float>(triangle);
       // The plane of no triangle is met nowhere.
-      const bool triangle = present && !(k == 1 && pairs[i].single);
-      const Float3 n = triangle ? normalOf(scene.corners(scene.triangles[pairs[i].triangle[k]]))
-                                : Float3{kNaN, kNaN, kNaN};
+      const Float3 n =
+          present ? normalOf(scene.corners(scene.triangles[triangle])) : Float3{kNaN, kNaN, kNaN};
       for (std::size_t axis = 0; axis < 3; ++axis) block.normal[k][axis].lane[lane] = n[axis];
     }
     const bool frontOnly = present && scene.frontOnly(scene.triangles[pairs[i].triangle[0]]);
+    block.folded = block.folded || (present && !pairs[i].flat);
     block.largestSlope.lane[lane] = frontOnly ? 0.0f : kInfinity;
     culls_ = culls_ || frontOnly;
   }
 }
 
-// A corner of each pair, with the ray as the z axis.
+// A ray, for all lanes.
+struct TriangleBlocks::Lines {
+  unsigned kx, ky, kz;         // which coordinate is which
+  FloatV ox, oy, oz;           // origin
+  FloatV sx, sy;               // shear
+  FloatV backX, backY, backZ;  // the direction turned round
+
+  Lines(const Point& origin, const Vector& direction)
+      : Lines(RayShear(origin, direction), glm::value_ptr(direction)) {}
+
+ private:
+  Lines(const RayShear& r, const float* d)
+      : kx(r.kx),
+        ky(r.ky),
+        kz(r.kz),
+        ox(r.ox),
+        oy(r.oy),
+        oz(r.oz),
+        sx(r.sx),
+        sy(r.sy),
+        backX(-d[r.kx]),
+        backY(-d[r.ky]),
+        backZ(-d[r.kz]) {}
+};
+
+// From a corner of each pair to the origin of the ray: this way round what comes from memory is
+// subtracted, which is one instruction. x and y with the ray as the z axis.
 struct TriangleBlocks::Corner {
+  FloatV toX, toY, toZ;
   FloatV x, y;
 
-  Corner(const LaneArray (&vertex)[3], const RayShear& r) {
-    const FloatV z = load(vertex[r.kz]) - r.oz;
-    x = (load(vertex[r.kx]) - r.ox) - r.sx * z;
-    y = (load(vertex[r.ky]) - r.oy) - r.sy * z;
-  }
+  Corner(const LaneArray (&vertex)[3], const Lines& r)
+      : toX(r.ox - load(vertex[r.kx])),
+        toY(r.oy - load(vertex[r.ky])),
+        toZ(r.oz - load(vertex[r.kz])),
+        x(minusProduct(toX, r.sx, toZ)),
+        y(minusProduct(toY, r.sy, toZ)) {}
+
+  // The edge function of the ray and the edge from here: twice the area of the triangle that they
+  // span.
+  FloatV edgeTo(const Corner& q) const { return q.x * y - q.y * x; }
 };
 
-// The edge function of the ray and the edge q p: twice the area of the triangle that they span.
-inline FloatV TriangleBlocks::edge(const Corner& p, const Corner& q) {
-  return p.x * q.y - p.y * q.x;
-}
-
-// Which of a pair's triangles the line of the ray meets.
+// The triangles that the ray's line meets, and where.
 struct TriangleBlocks::Met {
-  FloatV::mask_type first, second;
+  FloatV::mask_type any;  // of the pair
+  FloatV t, index;
+
+  // Of pairs of which both are met, on the common edge or one behind the other: any, t and index
+  // are the second's.
+  FloatV::mask_type both;
+  FloatV firstT;
 };
 
-inline TriangleBlocks::Met TriangleBlocks::meet(const Block& block, const RayShear& r) {
-  const Corner a(block.vertex[0], r), b(block.vertex[1], r), c(block.vertex[2], r),
-      d(block.vertex[3], r);
-  const FloatV ab = edge(b, a), bc = edge(c, b), ca = edge(a, c);
-  const FloatV cd = edge(d, c), da = edge(a, d), ac = -ca;
-  return {min(min(ab, bc), ca) >= 0.0f || max(max(ab, bc), ca) <= 0.0f,
-          min(min(cd, da), ac) >= 0.0f || max(max(cd, da), ac) <= 0.0f};
-}
-
-// Where the ray meets the planes through the pairs' first corners. Interpolating the distances of
-// all corners would lose as many digits as a triangle is longer than high: rays that leave a thin
-// one would meet it again. Differences first: far from the origin all products are large. A ray in
-// the plane divides by 0, and meets nothing.
+// Where the ray meets the planes with normals n through the corners a. Interpolating the distances
+// of all corners would lose as many digits as a triangle is longer than high: rays that leave a
+// thin one would meet it again. Differences first: far from the origin all products are large. A
+// ray in the plane divides by 0, and meets nothing.
 template <bool kCulls>
-inline FloatV TriangleBlocks::planeDistance(const Block& block, const FloatV (&n)[3],
-                                            const Point& origin, const Vector& direction) {
-  const auto& a = block.vertex[0];
-  FloatV slope = n[0] * direction.x + n[1] * direction.y + n[2] * direction.z;
-  if constexpr (kCulls) where(!(slope < load(block.largestSlope)), slope) = kNaN;
-  return (n[0] * (load(a[0]) - origin.x) + n[1] * (load(a[1]) - origin.y) +
-          n[2] * (load(a[2]) - origin.z)) /
-         slope;
+inline FloatV TriangleBlocks::distance(const Block& block, const Lines& line, const Corner& a,
+                                       const FloatV (&n)[3]) {
+  FloatV slope = plusProduct(plusProduct(n[0] * line.backX, n[1], line.backY), n[2], line.backZ);
+  if constexpr (kCulls) where(!(-slope < load(block.largestSlope)), slope) = kNaN;
+  return plusProduct(plusProduct(n[0] * a.toX, n[1], a.toY), n[2], a.toZ) / slope;
 }
 
 template <bool kCulls>
-inline FloatV TriangleBlocks::firstDistance(const Block& block, const Point& origin,
-                                            const Vector& direction) {
-  const auto& n = block.normal[0];
-  return planeDistance<kCulls>(block, {load(n[0]), load(n[1]), load(n[2])}, origin, direction);
-}
-
-// Of the second triangle where both are met: on the common edge, or where one hides the other.
-template <bool kCulls>
-inline FloatV TriangleBlocks::distance(const Block& block, const Met& met, const Point& origin,
-                                       const Vector& direction) {
-  const auto choose = [&](std::size_t axis) {
-    FloatV value = load(block.normal[0][axis]);
-    where(met.second, value) = load(block.normal[1][axis]);
+inline TriangleBlocks::Met TriangleBlocks::meet(const Block& block, const Lines& line) {
+  const Corner a(block.vertex[0], line), b(block.vertex[1], line), c(block.vertex[2], line),
+      d(block.vertex[3], line);
+  const FloatV ab = a.edgeTo(b), bc = b.edgeTo(c), cd = c.edgeTo(d), da = d.edgeTo(a);
+  const auto normal = [&](std::size_t k, unsigned axis) { return load(block.normal[k][axis]); };
+  const FloatV first[3] = {normal(0, line.kx), normal(0, line.ky), normal(0, line.kz)};
+  if (!block.folded)
+    return {min(min(ab, bc), min(cd, da)) >= 0.0f || max(max(ab, bc), max(cd, da)) <= 0.0f,
+            distance<kCulls>(block, line, a, first), load(block.index[0]), FloatV::mask_type(false),
+            0.0f};
+  const FloatV ca = c.edgeTo(a), ac = -ca;
+  const FloatV::mask_type inFirst = min(min(ab, bc), ca) >= 0.0f || max(max(ab, bc), ca) <= 0.0f;
+  const FloatV::mask_type inSecond = min(min(cd, da), ac) >= 0.0f || max(max(cd, da), ac) <= 0.0f;
+  const auto choose = [&](FloatV value, const FloatV& second) {
+    where(inSecond, value) = second;
     return value;
   };
-  return planeDistance<kCulls>(block, {choose(0), choose(1), choose(2)}, origin, direction);
+  const FloatV chosen[3] = {choose(first[0], normal(1, line.kx)),
+                            choose(first[1], normal(1, line.ky)),
+                            choose(first[2], normal(1, line.kz))};
+  Met met{inFirst || inSecond, distance<kCulls>(block, line, a, chosen),
+          choose(load(block.index[0]), load(block.index[1])), inFirst && inSecond, 0.0f};
+  if (any_of(met.both)) [[unlikely]]
+    met.firstT = distance<kCulls>(block, line, a, first);
+  return met;
 }
 
 template <bool kCulls>
 bool TriangleBlocks::closestOf(const Ray& ray, float tMax, PrimitiveHit& hit) const {
-  const RayShear shear(ray.origin, ray.direction);
+  const Lines line(ray.origin, ray.direction);
   NearestV nearest(tMax);
   for (const Block& block : blocks_) {
-    const Met met = meet(block, shear);
-    FloatV index = load(block.index[0]);
-    where(met.second, index) = load(block.index[1]);
-    nearest.take(met.first || met.second, distance<kCulls>(block, met, ray.origin, ray.direction),
-                 index);
-    if (any_of(met.first && met.second)) [[unlikely]]
-      nearest.take(met.first, firstDistance<kCulls>(block, ray.origin, ray.direction),
-                   load(block.index[0]));
+    const Met met = meet<kCulls>(block, line);
+    nearest.take(met.any, met.t, met.index);
+    if (any_of(met.both)) [[unlikely]]
+      nearest.take(met.both, met.firstT, load(block.index[0]));
   }
   if (!nearest.reduce(tMax, hit)) return false;
   hit.isSphere = false;
@@ -130,14 +161,11 @@ bool TriangleBlocks::closestOf(const Ray& ray, float tMax, PrimitiveHit& hit) co
 
 template <bool kCulls>
 bool TriangleBlocks::occludedOf(const Point& origin, const Vector& segment) const {
-  const RayShear shear(origin, segment);
+  const Lines line(origin, segment);
   const auto within = [](const FloatV& t) { return t > 0.0f && t < 1.0f; };
   for (const Block& block : blocks_) {
-    const Met met = meet(block, shear);
-    if (any_of((met.first || met.second) && within(distance<kCulls>(block, met, origin, segment))))
-      return true;
-    if (any_of(met.first && met.second)) [[unlikely]]
-      if (any_of(met.first && within(firstDistance<kCulls>(block, origin, segment)))) return true;
+    const Met met = meet<kCulls>(block, line);
+    if (any_of((met.any && within(met.t)) || (met.both && within(met.firstT)))) return true;
   }
   return false;
 }

@@ -1,5 +1,6 @@
 // TriangleBlocks: a ray against all triangles, in pairs that share an edge, a vector of pairs at a
-// time.
+// time. Most pairs are flat quads: a line meets them where it passes all four edges on the same
+// side, in one plane. Only the others are taken as two triangles.
 //
 //   closest    the nearest triangle along a ray
 //   occluded   whether any triangle lies on a segment
@@ -33,28 +34,25 @@ class TriangleBlocks {
   bool occluded(const Point& origin, const Vector& segment) const;
 
  private:
-  // Triangles a b c and a c d: a quad of the scene is one pair. A triangle that has found no
-  // partner has d = c, and NaN for the second normal: it is met by no ray.
+  // Triangles a b c and a c d. One that has found no partner is a quad with d = c, whose edge
+  // function c d is exactly 0 and changes nothing.
   struct Block {
     LaneArray vertex[4][3];  // [corner][axis]; NaN where there is no triangle
-    LaneArray normal[2][3];
+    LaneArray normal[2][3];  // twice the same of a flat pair
     LaneArray largestSlope;  // n . direction that a hit must stay below: 0 culls backs
-    LaneArray index[2];      // of the triangles in the scene
+    LaneArray index[2];      // of the triangles in the scene; twice the first of a flat pair
+    bool folded;             // whether any pair of it is not flat
   };
+  struct Lines;
   struct Corner;
   struct Met;
 
-  static FloatV edge(const Corner& p, const Corner& q);
-  // Inlined always: its vectors then stay in registers.
-  [[gnu::always_inline]] static inline Met meet(const Block& block, const RayShear& shear);
+  // Inlined always: their vectors then stay in registers.
   template <bool kCulls>
-  static FloatV planeDistance(const Block& block, const FloatV (&n)[3], const Point& origin,
-                              const Vector& direction);
+  [[gnu::always_inline]] static inline Met meet(const Block& block, const Lines& line);
   template <bool kCulls>
-  static FloatV firstDistance(const Block& block, const Point& origin, const Vector& direction);
-  template <bool kCulls>
-  static FloatV distance(const Block& block, const Met& met, const Point& origin,
-                         const Vector& direction);
+  [[gnu::always_inline]] static inline FloatV distance(const Block& block, const Lines& line,
+                                                       const Corner& a, const FloatV (&n)[3]);
   template <bool kCulls>
   bool closestOf(const Ray& ray, float tMax, PrimitiveHit& hit) const;
   template <bool kCulls>

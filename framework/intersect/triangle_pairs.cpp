@@ -1,5 +1,11 @@
 #include "intersect/triangle_pairs.h"
 
+#include "math/rounding.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -20,6 +26,27 @@ struct Edge {
   bool frontOnly;
   auto operator<=>(const Edge&) const = default;
 };
+
+// Corners are where rounding has put them: as far from the first triangle's plane as that, the
+// fourth is in it. A corner between the two triangles that is nearly straight might be seen from
+// the side as bent inwards.
+bool isFlatAndConvex(const std::array<Float3, 4>& corners) {
+  std::array<glm::dvec3, 4> p;
+  double magnitude = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    p[k] = {corners[k][0], corners[k][1], corners[k][2]};
+    for (const float x : corners[k]) magnitude = std::max(magnitude, std::abs(double{x}));
+  }
+  const glm::dvec3 n = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
+  if (!(std::abs(glm::dot(p[3] - p[0], n)) <= 4.0 * kUnitRoundoff * magnitude)) return false;
+  constexpr double kLeastBend = 1e-3;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const glm::dvec3 in = p[k] - p[(k + 3) % 4], out = p[(k + 1) % 4] - p[k];
+    const double bend = glm::dot(glm::cross(in, out), n);
+    if (!(bend > kLeastBend * glm::length(in) * glm::length(out))) return false;
+  }
+  return true;
+}
 
 class Pairing {
  public:
@@ -58,10 +85,12 @@ class Pairing {
       const Side other = found->second;
       const Corners o = cornersOf(other.triangle);
       // Of the earlier triangle a b c the common edge is c a.
-      pairs_.push_back(
-          {{o[(other.from + 1) % 3], o[(other.from + 2) % 3], o[other.from], c[(k + 2) % 3]},
-           {other.triangle, triangle},
-           false});
+      const std::array<Float3, 4> corners{o[(other.from + 1) % 3], o[(other.from + 2) % 3],
+                                          o[other.from], c[(k + 2) % 3]};
+      const bool flat =
+          scene_.triangles[other.triangle].shape == scene_.triangles[triangle].shape &&
+          isFlatAndConvex(corners);
+      pairs_.push_back({corners, {other.triangle, triangle}, false, flat});
       paired_[triangle] = paired_[other.triangle] = true;
       return true;
     }
@@ -70,7 +99,7 @@ class Pairing {
 
   void addSingle(std::uint32_t triangle) {
     const Corners c = cornersOf(triangle);
-    pairs_.push_back({{c[0], c[1], c[2], c[2]}, {triangle, triangle}, true});
+    pairs_.push_back({{c[0], c[1], c[2], c[2]}, {triangle, triangle}, true, true});
   }
 
   const FlatSceneView& scene_;

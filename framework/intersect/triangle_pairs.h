@@ -1,4 +1,7 @@
-// pairTriangles: which triangles of a scene share an edge, two by two.
+// Which triangles of a scene share an edge, two by two.
+//
+//   TrianglePair    two triangles, or one
+//   pairTriangles   finds them
 #pragma once
 
 #include "scene/flat_scene.h"
@@ -15,6 +18,7 @@ struct TrianglePair {
   std::array<Float3, 4> corner{};
   std::array<std::uint32_t, 2> triangle{};  // the same twice where there is one triangle only
   bool single = true;                       // and then d = c
+  bool flat = true;  // one triangle, or both are a convex quad a b c d in one plane, of one shape
 };
 
 // Each of these triangles is in one pair. Partners have the same orientation along their edge, and

@@ -12,7 +12,7 @@ namespace pathmark {
 inline constexpr float kUnitRoundoff = 0x1p-24f;
 
 // Points are moved off a surface by this many unit roundoffs of their largest coordinate. A point
-// that was projected onto its triangle's plane lies off it by at most 20 of them: 6 of its distance
+// that was projected onto its triangle's plane lies off it by at most 24 of them: 6 of its distance
 // from a corner (rounding of their difference, of the normal and of their product) and one of its
 // own; a point of a sphere, by 4. The rest covers the rounding of the moved point and of the next
 // intersection's translation.

@@ -11,7 +11,9 @@
 
 #include <pathmark/types.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace pathmark {
 
@@ -41,9 +43,9 @@ class Frame {
 };
 
 // (cos(2 pi turn), sin(2 pi turn)) for turn in [0,1], each within 1.5 units in the last place of 1;
-// exact at quarter turns. Without the branches of std::cos and std::sin, which no processor can
-// predict for a random azimuth. Polynomials for the eighth of a turn around each axis, with the
-// smallest largest error.
+// exact at quarter turns. Without branches, which no processor can predict for a random azimuth:
+// polynomials for the eighth of a turn around each axis, with the smallest largest error, whose
+// values are exchanged and whose signs are set bit by bit.
 inline vec2 onUnitCircle(float turn) {
   const int quarter = static_cast<int>(4.0f * turn + 0.5f);
   const float x = 2.0f * kPi * (turn - 0.25f * static_cast<float>(quarter)), x2 = x * x;
@@ -51,9 +53,11 @@ inline vec2 onUnitCircle(float turn) {
       x + x * x2 * (-1.666665494e-1f + x2 * (8.332178098e-3f + x2 * -1.951729231e-4f));
   const float cosine = 1.0f - 0.5f * x2 +
                        x2 * x2 * (4.166664687e-2f + x2 * (-1.388736746e-3f + x2 * 2.443844460e-5f));
-  const bool exchanged = (quarter & 1) != 0;
-  const float a = exchanged ? sine : cosine, b = exchanged ? cosine : sine;
-  return {((quarter + 1) & 2) != 0 ? -a : a, (quarter & 2) != 0 ? -b : b};
+  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+  const auto turns = static_cast<std::uint32_t>(quarter);
+  const std::uint32_t exchange = (bits(cosine) ^ bits(sine)) & (0u - (turns & 1u));
+  return {std::bit_cast<float>(bits(cosine) ^ exchange ^ (((turns + 1u) & 2u) << 30)),
+          std::bit_cast<float>(bits(sine) ^ exchange ^ ((turns & 2u) << 30))};
 }
 
 }  // namespace pathmark

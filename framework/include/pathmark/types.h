@@ -28,10 +28,20 @@ using Colour = glm::vec3;  // linear RGB: radiance (W m^-2 sr^-1), reflectance o
 inline constexpr float kPi = 3.14159265358979323846f;
 inline constexpr float kInvPi = 0.31830988618379067154f;
 
-// The half-line origin + t * direction, t > 0.
+// The half-line origin + t * direction, t > 0. Copied vector by vector: as one block of memory it
+// would be read in other pieces than those it has just been written in, and processors wait then.
 struct Ray {
   Point origin{0.0f};
   Vector direction{0.0f, 0.0f, 1.0f};  // unit length
+
+  Ray() = default;
+  Ray(const Point& from, const Vector& towards) : origin(from), direction(towards) {}
+  Ray(const Ray& other) : origin(other.origin), direction(other.direction) {}
+  Ray& operator=(const Ray& other) {
+    origin = other.origin;
+    direction = other.direction;
+    return *this;
+  }
 };
 
 struct LightSample {
@@ -43,6 +53,10 @@ struct LightSample {
 struct DirectionSample {
   Vector wi{0.0f, 1.0f, 0.0f};  // away from the surface
   float pdf = 0.0f;             // per unit solid angle
+
+  // Has it returned in memory: in registers, one would be put together from wi and pdf by way of
+  // memory, which is slower for the same reason as with Ray.
+  ~DirectionSample() {}
 };
 
 struct Roulette {
