@@ -17,6 +17,7 @@
 #include <immintrin.h>
 #endif
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 
@@ -59,10 +60,13 @@ inline FloatV plusProduct(const FloatV& a, const FloatV& b, const FloatV& c) { r
 inline FloatV minusProduct(const FloatV& a, const FloatV& b, const FloatV& c) { return a - b * c; }
 #endif
 
+// Indices are kept in the bits of floats: nothing is computed with them.
+inline float bitsOfIndex(std::uint32_t index) { return std::bit_cast<float>(index); }
+
 // The nearest hit so far in each lane, and which primitive it is with.
 struct NearestV {
   FloatV t;
-  FloatV index = 0.0f;  // exact up to 2^24
+  FloatV index = 0.0f;  // bits
 
   explicit NearestV(float tMax) : t(tMax) {}
 
@@ -77,7 +81,7 @@ struct NearestV {
     const float least = hmin(t);
     if (!(least < tMax)) return false;
     hit.t = least;
-    hit.index = static_cast<std::uint32_t>(index[find_first_set(t == least)]);
+    hit.index = std::bit_cast<std::uint32_t>(float{index[find_first_set(t == least)]});
     return true;
   }
 };

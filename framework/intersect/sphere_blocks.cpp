@@ -16,7 +16,7 @@ SphereBlocks::SphereBlocks(const FlatSceneView& scene, std::span<const std::uint
     const bool frontOnly = i < count && scene.shapes[sphere.shape].frontOnly != 0;
     block.hideOutside.lane[lane] = frontOnly && sphere.inward != 0 ? 1.0f : 0.0f;
     block.hideInside.lane[lane] = frontOnly && sphere.inward == 0 ? 1.0f : 0.0f;
-    block.index.lane[lane] = i < count ? static_cast<float>(spheres[i]) : 0.0f;
+    block.index.lane[lane] = i < count ? bitsOfIndex(spheres[i]) : 0.0f;
   }
 }
 

@@ -37,7 +37,7 @@ TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
         block.vertex[corner][axis].lane[lane] = present ? pairs[i].corner[corner][axis] : kNaN;
     for (std::size_t k = 0; k < 2; ++k) {
       const std::uint32_t triangle = present ? pairs[i].triangle[pairs[i].flat ? 0 : k] : 0;
-      block.index[k].lane[lane] = static_cast<float>(triangle);
+      block.index[k].lane[lane] = bitsOfIndex(triangle);
       // The plane of no triangle is met nowhere.
       const Float3 n =
           present ? normalOf(scene.corners(scene.triangles[triangle])) : Float3{kNaN, kNaN, kNaN};

@@ -40,7 +40,7 @@ class TriangleBlocks {
     LaneArray vertex[4][3];  // [corner][axis]; NaN where there is no triangle
     LaneArray normal[2][3];  // twice the same of a flat pair
     LaneArray largestSlope;  // n . direction that a hit must stay below: 0 culls backs
-    LaneArray index[2];      // of the triangles in the scene; twice the first of a flat pair
+    LaneArray index[2];      // bits, of the scene's triangles; twice the first of a flat pair
     bool folded;             // whether any pair of it is not flat
   };
   struct Lines;
