@@ -13,9 +13,9 @@ inline constexpr float kUnitRoundoff = 0x1p-24f;
 
 // Points are moved off a surface by this many unit roundoffs of their largest coordinate. A point
 // that was projected onto its triangle's plane lies off it by at most 24 of them: 6 of its distance
-// from a corner (rounding of their difference, of the normal and of their product) and one of its
-// own; a point of a sphere, by 4. The rest covers the rounding of the moved point and of the next
-// intersection's translation.
+// from a corner (rounding of their difference, of the normal and of their product), one of its own,
+// and 4 where it was met on the other triangle of a flat quad; a point of a sphere, by 4. The rest
+// covers the rounding of the moved point and of the next intersection's translation.
 inline constexpr float kOffsetRoundoffs = 32.0f;
 
 inline float largestComponent(const Vector& v) {
