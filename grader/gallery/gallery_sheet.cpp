@@ -1,9 +1,9 @@
 #include "gallery/gallery_sheet.h"
 
 #include "film/canvas.h"
-#include "film/image_formats.h"
 #include "film/srgb.h"
 #include "gallery/gallery_scenes.h"
+#include "gallery/palette_png.h"
 
 #include <fmt/format.h>
 
@@ -57,19 +57,17 @@ void drawGroup(Image& sheet, const Group& group, int top) {
   }
 }
 
-std::uint8_t coarse(std::uint8_t level) {
-  constexpr int kLevels = 31;
-  return static_cast<std::uint8_t>(((level * kLevels + 127) / 255 * 255 + kLevels / 2) / kLevels);
-}
-
-// What no path has reached, or what is no number, is magenta as in other pictures.
-std::string encodeCoarse(const Image& sheet) {
+// What is no number is magenta, as in other pictures.
+std::string encode(const Image& sheet) {
   const SrgbBytes& table = SrgbBytes::table();
   std::vector<std::uint8_t> bytes(sheet.rgb.size());
-  for (std::size_t v = 0; v < bytes.size(); ++v) bytes[v] = coarse(table(double{sheet.rgb[v]}));
+  for (std::size_t v = 0; v < bytes.size(); ++v) bytes[v] = table(double{sheet.rgb[v]});
   for (std::size_t p = 0; p < sheet.invalid.size(); ++p)
-    if (sheet.invalid[p] != 0) bytes[3 * p] = bytes[3 * p + 2] = 255, bytes[3 * p + 1] = 0;
-  return encodePngBytes(sheet.width, sheet.height, bytes);
+    if (sheet.invalid[p] != 0) {
+      bytes[3 * p] = bytes[3 * p + 2] = 255;
+      bytes[3 * p + 1] = 0;
+    }
+  return encodePalettePng(sheet.width, sheet.height, bytes);
 }
 
 }  // namespace
@@ -111,7 +109,7 @@ std::string sheetPng(const std::vector<Group>& groups) {
     drawGroup(sheet, group, top);
     top += groupHeight(group);
   }
-  return encodeCoarse(sheet);
+  return encode(sheet);
 }
 
 }  // namespace pathmark::gallery

@@ -23,7 +23,7 @@ std::vector<Group> groupsOf(const Gallery& gallery, int part);
 std::string titleOf(const CorrectView& view);
 
 // A PNG: for each group the correct picture first and the others behind it, their numbers below.
-// Colours have 32 levels, so that a sheet of small pictures stays a small file.
+// It has 256 colours, so that a sheet of small pictures stays a small file.
 std::string sheetPng(const std::vector<Group>& groups);
 
 }  // namespace pathmark::gallery

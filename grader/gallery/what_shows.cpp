@@ -67,6 +67,7 @@ double noiseRatio(const Image& wrong, const Image& correct) {
 }
 
 std::string amount(double relative) {
+  if (relative > 9.0) return "more than 10 times as bright";
   if (relative > 1.0) return fmt::format("{:.1f} times as bright", 1.0 + relative);
   return fmt::format("{:.0f} % {}", 100.0 * std::abs(relative),
                      relative > 0.0 ? "brighter" : "darker");

@@ -136,6 +136,7 @@ Compared comparePicture(WorkerProcess& worker, const MarkingScene& scene, Solved
     settings.replicates = kReplicates;
     const RenderedImage rendered = renderAll(worker, settings);
     const Measured yours{rendered.image, static_cast<double>(rendered.raysTraced), kReplicates};
+    compared.image = rendered.image;
     const Measured& theirs = reference.picture;
     record.bias = tileBias(yours.image, theirs.image);
     record.meanError = meanErrors(yours.image, theirs.image);

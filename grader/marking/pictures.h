@@ -64,6 +64,7 @@ struct PictureFiles {
 struct Compared {
   record::PictureRecord record;  // without the names of files
   PictureFiles files;
+  Image image{};  // the coursework's; empty where it failed
 };
 
 struct CompareOptions {
