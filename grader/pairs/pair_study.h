@@ -39,7 +39,7 @@ inline constexpr double kSameAlpha = 1e-4;
 
 // Of the pictures of a whole pair and of the solutions. With each mistake alone they take
 // marking::kRaysPerPixel: what must show needs fewer.
-inline constexpr std::uint64_t kRaysPerPixel = 2048;
+inline constexpr std::uint64_t kRaysPerPixel = 1024;
 inline constexpr std::uint32_t kReplicates = 32;
 
 // A pair hides if the picture is the same, its bias less than kHidden, and that of each mistake

@@ -52,7 +52,7 @@ Each row is a mistake. *Alone* is what a picture shows of it by itself, *togethe
 the whole pair: the root mean square over tiles of 8 x 8 pixels, relative to the picture's
 brightness, with what noise adds taken away, and its interval of 99 %. *Mean* is the error of the
 whole picture's mean in the channel that is furthest off. Pictures have 96 pixels along the longer
-side, those of pairs 2048 rays per pixel and the others 128, in 32 replicates.
+side, those of pairs 1024 rays per pixel and the others 128, in 32 replicates.
 )";
 
 }  // namespace
