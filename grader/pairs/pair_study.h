@@ -44,7 +44,7 @@ inline constexpr std::uint32_t kReplicates = 32;
 
 // A pair hides if the picture is the same, its bias less than kHidden, and that of each mistake
 // alone, with its interval, more than kPlain.
-inline constexpr double kHidden = 0.01, kPlain = 0.05;
+inline constexpr double kHidden = 0.01, kPlain = 0.02;
 bool hides(const PairFinding& finding);
 
 // Whether each mistake's function fails, and no part fails but theirs.
