@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,7 +55,9 @@ void writeGallery(const gallery::Gallery& made, const fs::path& chapter) {
     writeFileAtomically(figures / gallery::sheetName(part.part), png);
     fmt::print("{}: {} kB\n", gallery::sheetName(part.part), png.size() / 1000);
   }
-  writeFileAtomically(chapter, gallery::galleryChapter(made));
+  std::ifstream in(chapter, std::ios::binary);
+  const std::string before{std::istreambuf_iterator<char>(in), {}};
+  writeFileAtomically(chapter, gallery::galleryChapter(made, before));
 }
 
 int runGallery(const GalleryArguments& arguments) {
@@ -100,6 +104,7 @@ void addGalleryCommand(CLI::App& app, CommandAction& action) {
       "Examples:\n"
       "  ./pathmark gallery\n"
       "  ./pathmark gallery --part 3 --output /tmp/gallery/part3.md\n\n"
+      "What stands above the first part in the chapter is kept; the rest is made anew. "
       "For each mistake the scene is taken in which its picture is furthest from the correct one. "
       "Those that do not show in the mean are shown with few rays per pixel.\n"
       "Exit code: 0 done, 2 the command line is at fault, 3 the machine is, 130 interrupted.");

@@ -1,6 +1,5 @@
 #include "gallery/gallery_chapter.h"
 
-#include "gallery/gallery_scenes.h"
 #include "gallery/gallery_sheet.h"
 #include "worker/contract.h"
 
@@ -12,21 +11,6 @@
 namespace pathmark::gallery {
 
 namespace {
-
-constexpr std::string_view kIntroduction = R"(# Gallery of mistakes
-
-What does a picture look like if the cosine is missing, or the last light is never chosen? Below are
-mistakes that are easily made, part by part, each in the scene that shows it best, behind the
-correct picture of that scene. All other parts are right.
-
-A picture that looks like yours is a hint, not a proof: different mistakes may look alike, two
-mistakes may hide each other, and some do not show in pictures at all. What is wrong, and by how
-much, is said by `./pathmark check`.
-
-Numbers are relative to the correct picture; "noise" is the standard error of a pixel with as many
-rays. Mistakes that leave the mean right are shown with few rays per pixel, where only the noise can
-tell. Pixels without a valid number are magenta.
-)";
 
 // A | would end a cell.
 std::string cell(std::string_view text) {
@@ -61,16 +45,13 @@ std::string partChapter(const Gallery& gallery, int part) {
 
 std::string sheetName(int part) { return fmt::format("mistakes_part{}.png", part); }
 
-std::string galleryChapter(const Gallery& gallery) {
-  std::string text(kIntroduction);
+std::string galleryChapter(const Gallery& gallery, std::string_view before) {
+  std::string text(before.substr(0, before.find("\n## Part ")));
+  if (text.empty()) text = "# Gallery of mistakes\n";
   for (const PartContract& part : parts())
     if (std::any_of(gallery.specimens.begin(), gallery.specimens.end(),
                     [&](const Specimen& s) { return s.variant.part == part.part; }))
       text += partChapter(gallery, part.part);
-  text += fmt::format(
-      "\nThe pictures have {} pixels along the longer side and {} rays per pixel where it is not "
-      "said otherwise.\n",
-      kPixels, kManyRays);
   return text;
 }
 

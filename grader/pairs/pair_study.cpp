@@ -70,9 +70,9 @@ std::string sceneWords(const Pair& pair) {
 }
 
 bool hides(const PairFinding& finding) {
-  return finding.same && finding.bias.value < kHidden &&
+  return finding.same && finding.bias.high < kSeen &&
          std::all_of(finding.alone.begin(), finding.alone.end(),
-                     [](const record::Estimate& alone) { return alone.low > kPlain; });
+                     [](const record::Estimate& alone) { return alone.low > kSeen; });
 }
 
 bool caught(const Pair& pair, const PairFinding& finding) {

@@ -42,9 +42,9 @@ inline constexpr double kSameAlpha = 1e-4;
 inline constexpr std::uint64_t kRaysPerPixel = 1024;
 inline constexpr std::uint32_t kReplicates = 32;
 
-// A pair hides if the picture is the same, its bias less than kHidden, and that of each mistake
-// alone, with its interval, more than kPlain.
-inline constexpr double kHidden = 0.01, kPlain = 0.02;
+// The least relative bias that an eye may see. A pair hides if its picture is the same, and the
+// interval of its bias lies below this; that of each mistake alone must lie above.
+inline constexpr double kSeen = 0.02;
 bool hides(const PairFinding& finding);
 
 // Whether each mistake's function fails, and no part fails but theirs.

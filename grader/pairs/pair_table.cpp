@@ -75,12 +75,14 @@ std::string pairChapter(std::span<const StudiedPair> pairs, std::uint64_t seed) 
                                    [](const auto& s) { return caught(s.pair, s.finding); });
   text += fmt::format(
       "\nOf {0} pairs, {1} hide: a comparison as `./pathmark compare` makes it (alpha = {2:g}) "
-      "finds no difference, the bias is below {3}, and each mistake alone shows by more than {4}. "
-      "In {5} of {0} pairs every function with a mistake fails in its own part, and no part fails "
-      "that has none. Made by `./pathmark pairs --seed {6} --output "
+      "finds no difference, and the interval of the bias lies below {3}, which an eye may just "
+      "see; "
+      "that of each mistake alone lies above. In {4} of {0} pairs every function with a mistake "
+      "fails in its own part, and no part fails "
+      "that has none. Made by `./pathmark pairs --seed {5} --output "
       "handouts/compensating_mistakes.md`; the patches are listed in "
       "`grader/variants/pairs/pairs.json`.\n\n",
-      pairs.size(), hidden, kSameAlpha, percent(kHidden), percent(kPlain), found, seed);
+      pairs.size(), hidden, kSameAlpha, percent(kSeen), found, seed);
   text += "| Pair | Scene | Part | Function and mistake | Alone | Together | Mean |\n";
   text += "|---|---|---|---|---|---|---|\n";
   for (const StudiedPair& studied : pairs) text += rowsOf(studied);

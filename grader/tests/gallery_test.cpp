@@ -122,7 +122,9 @@ TEST(Gallery, ShowsWhatTheMeanShowsWithManyRaysAndTheRestWithFew) {
   EXPECT_EQ(groups[0].numbers, std::vector<int>{2});
   EXPECT_EQ(groups[1].numbers, std::vector<int>{1});
   EXPECT_GT(decodePng(gallery::sheetPng(groups)).width, 2 * 96);
-  const std::string chapter = gallery::galleryChapter(made);
+  const std::string chapter =
+      gallery::galleryChapter(made, "# Title\n\nBy hand.\n\n## Part 0: old\n");
+  EXPECT_TRUE(chapter.starts_with("# Title\n\nBy hand.\n\n## Part 3: ")) << chapter;
   for (const Variant& variant : variants)
     EXPECT_NE(chapter.find(variant.what), std::string::npos) << variant.what;
   EXPECT_NE(chapter.find("figures/mistakes_part3.png"), std::string::npos);

@@ -46,9 +46,9 @@ TEST(Pairs, HideInThePictureAndAreCaughtPartByPart) {
     SCOPED_TRACE(pair.name);
     const pairs::PairFinding finding = study.of(pair);
     EXPECT_TRUE(finding.same) << "the picture of the pair differs from the solutions'";
-    EXPECT_LT(finding.bias.value, pairs::kHidden);
+    EXPECT_LT(finding.bias.high, pairs::kSeen);
     for (std::size_t k = 0; k < pair.mistakes.size(); ++k)
-      EXPECT_GT(finding.alone[k].low, pairs::kPlain)
+      EXPECT_GT(finding.alone[k].low, pairs::kSeen)
           << pair.mistakes[k].name << " does not show by itself either";
     for (const Variant& mistake : pair.mistakes)
       EXPECT_NE(std::find(finding.failed.begin(), finding.failed.end(), mistake.function),
