@@ -89,42 +89,44 @@ bool caught(const Pair& pair, const PairFinding& finding) {
 }
 
 PairStudy::PairStudy(PairOptions options)
-    : options_(std::move(options)),
-      solutions_(buildCoursework(courseworkFolder("solutions"))),
-      seed_(mix(options_.seed)) {
+    : options_(std::move(options)), solutions_(buildCoursework(courseworkFolder("solutions"))) {
   if (options_.threads == 0) options_.threads = std::max(1u, std::thread::hardware_concurrency());
 }
 
-// Each picture has random numbers of its own: two have no noise in common.
+// Each picture has random numbers of its own, by its name: two have no noise in common, and a pair
+// that is studied by itself gives the same numbers again.
 marking::Measured PairStudy::picture(const CourseworkBuild& build,
-                                     const marking::MarkingScene& scene,
+                                     const marking::MarkingScene& scene, const std::string& name,
                                      const marking::Effort& effort) {
   if (!build.complete()) throw std::runtime_error(build.failure());
   WorkerProcess::Options options;
   options.program = build.worker;
   options.courseworkFolder = build.folder;
   WorkerProcess worker(std::move(options));
-  return marking::renderMeasured(worker, scene, seed_ = mix(seed_ + kGolden), options_.threads,
-                                 effort);
+  std::uint64_t seed = mix(options_.seed + kGolden);
+  for (const char c : name) seed = mix(seed + static_cast<unsigned char>(c));
+  return marking::renderMeasured(worker, scene, seed, options_.threads, effort);
 }
 
 PairFinding PairStudy::of(const Pair& pair) {
   const marking::Effort fine{kRaysPerPixel, kReplicates};
   const marking::MarkingScene scene = sceneOf(pair);
-  if (!solved_.contains(scene.name)) solved_[scene.name] = picture(solutions_, scene, fine);
+  if (!solved_.contains(scene.name))
+    solved_[scene.name] = picture(solutions_, scene, scene.name, fine);
   const Image& reference = solved_[scene.name].image;
   const CourseworkBuild together = buildWith(pair.mistakes, options_.scratch / pair.name);
-  const Image hidden = picture(together, scene, fine).image;
+  const Image hidden = picture(together, scene, pair.name, fine).image;
 
   PairFinding finding;
   finding.bias = marking::tileBias(hidden, reference);
   finding.meanErrors = marking::meanErrors(hidden, reference);
   finding.same =
       compareImages(hidden, reference, {kReplicates, kReplicates}, {.alpha = kSameAlpha}).same;
-  for (const Variant& mistake : pair.mistakes)
+  for (const Variant& mistake : pair.mistakes) {
+    const CourseworkBuild alone = buildWith({&mistake, 1}, options_.scratch / mistake.name);
     finding.alone.push_back(marking::tileBias(
-        picture(buildWith({&mistake, 1}, options_.scratch / mistake.name), scene, {}).image,
-        reference));
+        picture(alone, scene, fmt::format("{} {}", pair.name, mistake.name), {}).image, reference));
+  }
   runAllChecks(together, options_, finding);
   return finding;
 }

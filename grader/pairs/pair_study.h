@@ -39,7 +39,7 @@ inline constexpr double kSameAlpha = 1e-4;
 
 // Of the pictures of a whole pair and of the solutions. With each mistake alone they take
 // marking::kRaysPerPixel: what must show needs fewer.
-inline constexpr std::uint64_t kRaysPerPixel = 1024;
+inline constexpr std::uint64_t kRaysPerPixel = 2048;
 inline constexpr std::uint32_t kReplicates = 32;
 
 // The least relative bias that an eye may see. A pair hides if its picture is the same, and the
@@ -65,11 +65,10 @@ class PairStudy {
 
  private:
   marking::Measured picture(const CourseworkBuild& build, const marking::MarkingScene& scene,
-                            const marking::Effort& effort);
+                            const std::string& name, const marking::Effort& effort);
 
   PairOptions options_;
   CourseworkBuild solutions_;
-  std::uint64_t seed_;                               // of the last picture
   std::map<std::string, marking::Measured> solved_;  // by the scene's name
 };
 

@@ -1,6 +1,6 @@
 #include "pairs/pair_table.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,28 +17,22 @@ std::string interval(const record::Estimate& e) {
   return fmt::format("{} ({} to {})", percent(e.value), percent(e.low), percent(e.high));
 }
 
-// Of the channels, that which is furthest off for its interval.
-const record::Estimate& worst(const PairFinding& finding) {
-  const auto size = [](const record::Estimate& e) {
-    return std::abs(e.value) / std::max(e.high - e.low, 1e-12);
-  };
-  return *std::max_element(finding.meanErrors.begin(), finding.meanErrors.end(),
-                           [&](const auto& a, const auto& b) { return size(a) < size(b); });
+double leastAlone(const PairFinding& finding) {
+  double least = HUGE_VAL;
+  for (const record::Estimate& alone : finding.alone) least = std::min(least, alone.value);
+  return least;
 }
 
-std::string rowsOf(const StudiedPair& studied) {
+std::string rowOf(const StudiedPair& studied) {
   const auto& [pair, finding] = studied;
-  std::string rows;
-  for (std::size_t k = 0; k < pair.mistakes.size(); ++k) {
-    const Variant& mistake = pair.mistakes[k];
-    const bool first = k == 0;
-    rows +=
-        fmt::format("| {} | {} | {} | `{}`: {} | {} | {} | {} |\n",
-                    first ? fmt::format("`{}`", pair.name) : "", first ? sceneWords(pair) : "",
-                    mistake.part, mistake.function, mistake.what, percent(finding.alone[k].value),
-                    first ? interval(finding.bias) : "", first ? interval(worst(finding)) : "");
-  }
-  return rows;
+  std::vector<std::string> mistakes, failed;
+  for (const Variant& m : pair.mistakes)
+    mistakes.push_back(fmt::format("{}, `{}`: {}", m.part, m.function, m.what));
+  for (const std::string& function : finding.failed)
+    failed.push_back(fmt::format("`{}`", function));
+  return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", pair.name, sceneWords(pair),
+                     fmt::join(mistakes, "<br>"), interval(finding.bias),
+                     percent(leastAlone(finding)), fmt::join(failed, ", "));
 }
 
 constexpr std::string_view kIntroduction = R"(# Compensating mistakes
@@ -48,22 +42,21 @@ right picture. A grader that looks at pictures gives full marks for it, and one 
 whole program cannot say which part is wrong. Here each part is linked by itself, with stand-ins
 and solutions for the others, so that each mistake meets functions that are right.
 
-Each row is a mistake. *Alone* is what a picture shows of it by itself, *together* what it shows of
-the whole pair: the root mean square over tiles of 8 x 8 pixels, relative to the picture's
-brightness, with what noise adds taken away, and its interval of 99 %. *Mean* is the error of the
-whole picture's mean in the channel that is furthest off. Pictures have 96 pixels along the longer
-side, those of pairs 1024 rays per pixel and the others 128, in 32 replicates.
+*Together* is what the picture of the whole shows: the root mean square over tiles of 8 x 8 pixels,
+relative to the picture's brightness, with what noise adds taken away, and its interval of 99 %.
+*Alone* is what the picture with one of the mistakes shows, at least. Pictures have 96 pixels along
+the longer side; those of a whole pair have 2048 rays per pixel, in 32 replicates. Where several
+functions of one part fail, the one with the mistake is called by the others.
 )";
 
 }  // namespace
 
 std::string pairLine(const StudiedPair& studied) {
   const auto& [pair, finding] = studied;
-  double least = HUGE_VAL;
-  for (const record::Estimate& alone : finding.alone) least = std::min(least, alone.value);
   return fmt::format("{:<33} {:<28} together {:<27} alone {:>8} or more  fails: {}{}{}\n",
-                     pair.name, sceneWords(pair), interval(finding.bias), percent(least),
-                     fmt::join(finding.failed, ", "), hides(finding) ? "" : "   <-- shows",
+                     pair.name, sceneWords(pair), interval(finding.bias),
+                     percent(leastAlone(finding)), fmt::join(finding.failed, ", "),
+                     hides(finding) ? "" : "   <-- shows",
                      caught(pair, finding) ? "" : "   <-- not caught as it must be");
 }
 
@@ -83,9 +76,10 @@ std::string pairChapter(std::span<const StudiedPair> pairs, std::uint64_t seed) 
       "handouts/compensating_mistakes.md`; the patches are listed in "
       "`grader/variants/pairs/pairs.json`.\n\n",
       pairs.size(), hidden, kSameAlpha, percent(kSeen), found, seed);
-  text += "| Pair | Scene | Part | Function and mistake | Alone | Together | Mean |\n";
-  text += "|---|---|---|---|---|---|---|\n";
-  for (const StudiedPair& studied : pairs) text += rowsOf(studied);
+  text +=
+      "| Pair | Scene | Mistakes, with their parts | Together | Alone | Functions that fail |\n";
+  text += "|---|---|---|---|---|---|\n";
+  for (const StudiedPair& studied : pairs) text += rowOf(studied);
   return text;
 }
 
