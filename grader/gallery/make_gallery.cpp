@@ -28,7 +28,6 @@ using marking::Measured;
 // To choose the scene: enough for what shows at all.
 constexpr std::uint64_t kTryRays = 32;
 constexpr std::uint32_t kTryReplicates = 8, kReplicates = 16;
-constexpr double kSecondsWithoutAnswer = 3.0;
 
 struct View {
   std::uint64_t rays;
@@ -43,7 +42,6 @@ Measured render(WorkerProcess& worker, const MarkingScene& scene, const View& vi
 std::unique_ptr<WorkerProcess> start(const std::filesystem::path& program) {
   WorkerProcess::Options options;
   options.program = program;
-  options.limits.secondsWithoutAnswer = kSecondsWithoutAnswer;
   return std::make_unique<WorkerProcess>(std::move(options));
 }
 
