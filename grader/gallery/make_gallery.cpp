@@ -42,6 +42,7 @@ Measured render(WorkerProcess& worker, const MarkingScene& scene, const View& vi
 std::unique_ptr<WorkerProcess> start(const std::filesystem::path& program) {
   WorkerProcess::Options options;
   options.program = program;
+  options.courseworkFolder = courseworkFolder("solutions");  // crashes are told with their files
   return std::make_unique<WorkerProcess>(std::move(options));
 }
 

@@ -39,6 +39,7 @@ std::optional<Image> MistakePictures::make(const std::string& mistake,
   const CourseworkBuild build = buildCoursework(folder.path(), Incomplete::kCompileOnly);
   if (!build.parts[static_cast<std::size_t>(variant->part)].compiled) return {};
   WorkerProcess::Options options;
+  options.courseworkFolder = folder.path();
   options.program = linkWithOthers(build, std::array{variant->part}, solutions_).worker;
   if (options.program.empty()) return {};
   try {
