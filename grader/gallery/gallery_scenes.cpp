@@ -11,7 +11,7 @@ namespace {
 std::vector<const char*> namesOf(int part) {
   switch (part) {
     case 0:
-      return {"cornell_box", "ucl_rectangle"};
+      return {"cornell_box"};
     case 1:
       return {"cornell_box", "cornell_spheres"};
     case 2:

@@ -65,6 +65,10 @@ class PartRoom {
 
   const std::vector<MarkingScene>& scenes() const { return scenes_; }
 
+  std::uint64_t raysFrom(std::uint64_t rays) const {
+    return scenes_.front().estimator == Estimator::kWarmUp ? kWarmUpFactor * rays : rays;
+  }
+
   // Of other random numbers than the variants' pictures.
   Measured correct(std::size_t scene, const View& view) {
     Entry* entry = nullptr;
@@ -117,7 +121,8 @@ class Maker {
       specimen.words = fmt::format("There is no picture: {}.", specimen.failure);
       specimen.scene = place.scenes().front().name;
       specimen.exposure = place.scenes().front().exposure;
-      place.correct(0, {kManyRays, kReplicates, 1});
+      specimen.rays = place.raysFrom(kManyRays);
+      place.correct(0, {specimen.rays, kReplicates, 1});
     }
     return specimen;
   }
@@ -128,7 +133,7 @@ class Maker {
     const auto found = std::find_if(scenes.begin(), scenes.end(),
                                     [&](const MarkingScene& s) { return s.name == scene; });
     const auto index = static_cast<std::size_t>(found - scenes.begin());
-    const std::uint32_t replicates = rays == kFewRays ? 1 : kReplicates;
+    const std::uint32_t replicates = rays == place.raysFrom(kFewRays) ? 1 : kReplicates;
     return {part, scene, rays, found->exposure, place.correct(index, {rays, replicates, 1}).image};
   }
 
@@ -151,7 +156,7 @@ class Maker {
     double largest = -1.0;
     std::exception_ptr failure;
     for (std::size_t k = 0; k < place.scenes().size(); ++k) {
-      const View view{kTryRays, kTryReplicates, 2};
+      const View view{place.raysFrom(kTryRays), kTryReplicates, 2};
       try {
         const Measured tried = render(*start(program), place.scenes()[k], view);
         const record::Estimate bias = marking::tileBias(tried.image, place.correct(k, view).image);
@@ -168,16 +173,17 @@ class Maker {
   static void show(const std::filesystem::path& program, PartRoom& place, std::size_t scene,
                    Specimen& specimen) {
     const MarkingScene& chosen = place.scenes()[scene];
-    const View view{kManyRays, kReplicates, 3};
+    const View view{place.raysFrom(kManyRays), kReplicates, 3};
     const Measured wrong = render(*start(program), chosen, view);
     specimen.showing = whatShows(wrong, place.correct(scene, view));
     specimen.words = lookFor(specimen.showing);
     specimen.scene = chosen.name;
     specimen.exposure = chosen.exposure;
     specimen.picture = wrong.image;
+    specimen.rays = view.rays;
     if (showsInMeans(specimen.showing)) return;
-    specimen.rays = kFewRays;
-    specimen.picture = render(*start(program), chosen, {kFewRays, 1, 3}).image;
+    specimen.rays = place.raysFrom(kFewRays);
+    specimen.picture = render(*start(program), chosen, {specimen.rays, 1, 3}).image;
   }
 
   const GalleryOptions& options_;
