@@ -102,6 +102,8 @@ std::string meanWords(const Showing& s) {
         ", most of it in {}",
         kChannels[(std::abs(*most) > std::abs(*least) ? most : least) - s.mean.begin()]);
   const double range = s.brightest - s.darkest;
+  if (std::abs(mean) < kSeen && range < 2.0 * kSeen)
+    return "As bright as it should be on the whole and in its larger parts: look along edges.";
   if (range < std::max(0.04, 0.15 * std::abs(mean))) return text + ", everywhere alike.";
   return fmt::format("{}: {}.", text, places(s));
 }
