@@ -20,7 +20,7 @@ namespace pathmark::gallery {
 
 // Of pictures whose mean shows the mistake, and of others: there noise may tell. The warm-up's take
 // kWarmUpFactor times as many, since it meets lights by chance only.
-inline constexpr std::uint64_t kManyRays = 256, kFewRays = 4, kWarmUpFactor = 16;
+inline constexpr std::uint64_t kManyRays = 256, kFewRays = 4, kWarmUpFactor = 4;
 
 struct Specimen {
   Variant variant;
