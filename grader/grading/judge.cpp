@@ -155,9 +155,12 @@ class Judge::Session {
   }
 
   // Pictures of `scenes` with this program, a new worker for each: none sees what another left.
-  // A curve of errors is made of the first of the whole.
-  void compare(const LinkedWorker& linked, const std::vector<marking::MarkingScene>& scenes,
-               const std::string& name, bool whole, std::vector<record::PictureRecord>& pictures) {
+  // A curve of errors is made of the first of the whole. Returns the pictures themselves.
+  std::vector<Image> compare(const LinkedWorker& linked,
+                             const std::vector<marking::MarkingScene>& scenes,
+                             const std::string& name, bool whole,
+                             std::vector<record::PictureRecord>& pictures) {
+    std::vector<Image> images;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       marking::Compared compared;
       compared.record.scene = scenes[k].name;
@@ -175,15 +178,44 @@ class Judge::Session {
           compared.record.failure = "The time for the whole submission was up before this picture.";
         }
       }
+      images.push_back(std::move(compared.image));
       take(std::move(compared), fmt::format("{}_{}", name, k + 1), pictures);
+    }
+    return images;
+  }
+
+  // Where the checks have named known mistakes, what these do to the scene in which the part's
+  // picture is furthest off.
+  void showMistakes(record::PartRecord& part, const std::vector<Image>& images) {
+    std::size_t worst = images.size();
+    for (std::size_t k = 0; k < images.size(); ++k)
+      if (!images[k].rgb.empty() &&
+          (worst == images.size() || part.pictures[k].bias.value > part.pictures[worst].bias.value))
+        worst = k;
+    if (worst == images.size()) return;
+    const record::PictureRecord& shown = part.pictures[worst];
+    const marking::MarkingScene& scene = judge_.scenes_.at(part.part)[worst];
+    for (const record::FunctionRecord& f : part.functions) {
+      const bool known = std::any_of(part.mistakes.begin(), part.mistakes.end(),
+                                     [&](const auto& m) { return m.mistake == f.mistake; });
+      if (f.mistake.empty() || known || !goOn()) continue;
+      const std::optional<Image>& picture = judge_.mistakes_->of(f.mistake, scene, threads_);
+      if (!picture) continue;
+      const std::string file =
+          fmt::format("pictures/part{}_mistake_{}.png", part.part, part.mistakes.size() + 1);
+      judged_.files[file] = encodePng(*picture, scene.exposure);
+      part.mistakes.push_back({f.mistake, f.what, shown.scene, shown.yours, shown.reference, file,
+                               shown.bias, marking::tileBias(images[worst], *picture)});
     }
   }
 
   void show(record::PartRecord& part) {
     if (!anythingWritten(part)) return;
     const LinkedWorker linked = linkWithOthers(build_, std::array{part.part}, judge_.solutions_);
-    compare(linked, judge_.scenes_.at(part.part), fmt::format("part{}", part.part), false,
-            part.pictures);
+    const std::vector<Image> images =
+        compare(linked, judge_.scenes_.at(part.part), fmt::format("part{}", part.part), false,
+                part.pictures);
+    showMistakes(part, images);
     if (linked.worker.empty()) return;
     try {
       const auto worker = start(linked.worker);
@@ -258,6 +290,7 @@ Judge::Judge(JudgeOptions options, std::shared_ptr<Confinement> confinement)
   wholeScenes_ = marking::scenesOfWhole(options_.seed);
   solved_ = std::make_unique<marking::SolvedPictures>(
       [program = solvedWorker_] { return startWorker(program); }, options_.seed);
+  mistakes_ = std::make_unique<MistakePictures>(solutions_, options_.seed);
 }
 
 Judged Judge::judge(const std::filesystem::path& folder, unsigned threads,

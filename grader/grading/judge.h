@@ -4,6 +4,7 @@
 //   Judge::judge  one submission
 #pragma once
 
+#include "grading/mistake_pictures.h"
 #include "host/confinement.h"
 #include "host/coursework_builder.h"
 #include "marking/pictures.h"
@@ -57,6 +58,7 @@ class Judge {
   std::map<int, std::vector<marking::MarkingScene>> scenes_;
   std::vector<marking::MarkingScene> wholeScenes_;
   std::unique_ptr<marking::SolvedPictures> solved_;
+  std::unique_ptr<MistakePictures> mistakes_;
 };
 
 }  // namespace pathmark::grading

@@ -87,13 +87,13 @@ std::string invalidWords(const InvalidPixels& invalid) {
 }  // namespace
 
 Measured renderMeasured(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed,
-                        unsigned threads) {
+                        unsigned threads, const Effort& effort) {
   worker.loadScene(scene.flat);
   RenderSettings settings = settingsOf(scene, seed, threads);
-  settings.raysPerPixel = kRaysPerPixel;
-  settings.replicates = kReplicates;
+  settings.raysPerPixel = effort.raysPerPixel;
+  settings.replicates = effort.replicates;
   const RenderedImage rendered = renderAll(worker, settings);
-  return {rendered.image, static_cast<double>(rendered.raysTraced), kReplicates};
+  return {rendered.image, static_cast<double>(rendered.raysTraced), effort.replicates};
 }
 
 const Solved& SolvedPictures::of(const MarkingScene& scene, bool withConvergence,
@@ -136,6 +136,7 @@ Compared comparePicture(WorkerProcess& worker, const MarkingScene& scene, Solved
     settings.replicates = kReplicates;
     const RenderedImage rendered = renderAll(worker, settings);
     const Measured yours{rendered.image, static_cast<double>(rendered.raysTraced), kReplicates};
+    compared.image = rendered.image;
     const Measured& theirs = reference.picture;
     record.bias = tileBias(yours.image, theirs.image);
     record.meanError = meanErrors(yours.image, theirs.image);

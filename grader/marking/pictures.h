@@ -21,10 +21,15 @@ namespace pathmark::marking {
 inline constexpr std::uint32_t kReplicates = 32;
 inline constexpr std::uint64_t kRaysPerPixel = 128;
 
+struct Effort {
+  std::uint64_t raysPerPixel = kRaysPerPixel;
+  std::uint32_t replicates = kReplicates;
+};
+
 // With these seeds for random numbers, so that pictures of the same scene by two courseworks share
 // no noise. Throws WorkerError.
 Measured renderMeasured(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed,
-                        unsigned threads);
+                        unsigned threads, const Effort& effort = {});
 
 struct Solved {
   Measured picture;
@@ -59,6 +64,7 @@ struct PictureFiles {
 struct Compared {
   record::PictureRecord record;  // without the names of files
   PictureFiles files;
+  Image image{};  // the coursework's; empty where it failed
 };
 
 struct CompareOptions {

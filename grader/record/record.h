@@ -5,6 +5,7 @@
 //   FunctionRecord      its checks
 //   PartRecord          its functions, and what its mistakes do to pictures
 //   PictureRecord       one picture beside its reference
+//   MistakePicture      what a known mistake does to the same scene
 //   SampleRecord        what a sampling function returned
 //   SubmissionRecord    all of it
 //
@@ -105,6 +106,17 @@ struct PictureRecord {
   std::string failure;  // why there is no picture: a sentence
 };
 
+// A known mistake that a function of the part makes, and its picture of the scene in which the
+// part's own picture is furthest off.
+struct MistakePicture {
+  std::string mistake, what;  // as in FunctionRecord
+  std::string scene;
+  std::string yours, reference;  // files of the part's own picture of the scene
+  std::string picture;           // file, with nothing wrong but this mistake
+  Estimate bias;                 // of yours
+  Estimate apart;                // of yours with the mistake's picture as the reference
+};
+
 struct PartRecord {
   int part = 0;
   std::string file;   // "part3_lambertian.cpp"
@@ -115,6 +127,7 @@ struct PartRecord {
 
   // With this part as submitted and all others from the solutions.
   std::vector<PictureRecord> pictures;
+  std::vector<MistakePicture> mistakes{};
 };
 
 // Where a sampling function puts its samples.
@@ -154,7 +167,7 @@ struct BuildRecord {
 };
 
 struct SubmissionRecord {
-  static constexpr int kFormat = 2;
+  static constexpr int kFormat = 3;
 
   std::string name;      // unique in a class
   std::string source;    // the folder or archive, as it was given

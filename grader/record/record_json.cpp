@@ -112,6 +112,18 @@ void visit(Visitor& v, T& p) requires std::same_as<std::remove_const_t<T>, Pictu
 }
 
 template <class Visitor, class T>
+void visit(Visitor& v, T& m) requires std::same_as<std::remove_const_t<T>, MistakePicture> {
+  v("mistake", m.mistake);
+  v("what", m.what);
+  v("scene", m.scene);
+  v("yours", m.yours);
+  v("reference", m.reference);
+  v("picture", m.picture);
+  v("bias", m.bias);
+  v("apart", m.apart);
+}
+
+template <class Visitor, class T>
 void visit(Visitor& v, T& p) requires std::same_as<std::remove_const_t<T>, PartRecord> {
   v("part", p.part);
   v("file", p.file);
@@ -120,6 +132,7 @@ void visit(Visitor& v, T& p) requires std::same_as<std::remove_const_t<T>, PartR
   v("message", p.message);
   v("functions", p.functions);
   v("pictures", p.pictures);
+  v("mistakes", p.mistakes);
 }
 
 template <class Visitor, class T>

@@ -2,6 +2,7 @@
 
 #include "report/check_html.h"
 #include "report/clean_text.h"
+#include "report/mistake_html.h"
 #include "report/page_html.h"
 #include "report/picture_html.h"
 #include "report/plots.h"
@@ -92,6 +93,10 @@ Markup contentsOf(const PartView& view, const SubmissionRecord& record,
   if (!view.record->functions.empty()) html += Markup{"<h3>Functions</h3>\n"};
   for (const record::FunctionRecord& function : view.record->functions)
     html += functionHtml(function);
+  Markup mistakes;
+  for (const record::MistakePicture& mistake : view.record->mistakes)
+    mistakes += mistakeHtml(mistake, source);
+  if (!mistakes.html.empty()) html += markup("<h3>What the mistake looks like</h3>\n{}", mistakes);
   Markup samples;
   for (const SampleRecord& s : record.samples)
     if (s.section.starts_with(fmt::format("{}.", view.part))) samples += samplesHtml(s);

@@ -95,6 +95,19 @@ TEST_F(JudgeTest, AMistakeHasItsConsequence) {
   EXPECT_GT(part.pictures.at(0).bias.low, 0.05);
 }
 
+// Intervals of 99 %, and a fixed seed.
+TEST(MistakePictures, AreLikeThoseOfASubmissionWithTheMistake) {
+  const CourseworkBuild solutions = buildCoursework(courseworkFolder("solutions"));
+  const marking::MarkingScene scene = marking::scenesOfPart(3, kSeed).at(0);
+  MistakePictures one(solutions, kSeed), other(solutions, kSeed + 1);
+  const std::optional<Image>& cosine = one.of("part3_cosine_in_brdf", scene, 2);
+  ASSERT_TRUE(cosine);
+  EXPECT_EQ(&cosine, &one.of("part3_cosine_in_brdf", scene, 2)) << "made once";
+  EXPECT_EQ(marking::tileBias(*other.of("part3_cosine_in_brdf", scene, 2), *cosine).low, 0.0);
+  EXPECT_GT(marking::tileBias(*other.of("part3_density_uniform", scene, 2), *cosine).low, 0.05);
+  EXPECT_FALSE(one.of("part3_no_such_mistake", scene, 2));
+}
+
 TEST_F(JudgeTest, ThreadsChangeNothing) {
   Judge judge(onlyPart(6), nullptr);
   const fs::path place = submission();

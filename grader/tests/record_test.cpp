@@ -40,6 +40,14 @@ SubmissionRecord fullRecord() {
   picture.pValues = {1, 2, 3};
   picture.convergence = {{1.0, 4.0}, {0.5, 0.25}, {0.4, 0.2}};
   part.pictures = {picture};
+  part.mistakes.push_back({"part3_pi_forgotten",
+                           "f = Kd",
+                           "a scene",
+                           "y.png",
+                           "r.png",
+                           "m.png",
+                           picture.bias,
+                           {0.001, 0.0, 0.002}});
   r.parts = {part};
   r.images = {check};
   r.scenes.push_back({"door.json", "a caption", Verdict::kOk, "", "in the corner", "p.png"});
@@ -65,6 +73,7 @@ TEST(Record, ComesBackFromItsFileByteForByte) {
   EXPECT_EQ(again.seed, std::uint64_t{1} << 53);
   EXPECT_EQ(again.parts[0].pictures[0].efficiency->high, HUGE_VAL);
   EXPECT_FALSE(again.pictures[0].efficiency);
+  EXPECT_EQ(again.parts[0].mistakes.at(0).picture, "m.png");
   EXPECT_EQ(again.samples[0].yours[0][2], -1.0f);
 }
 

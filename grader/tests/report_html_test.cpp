@@ -165,6 +165,43 @@ TEST(SubmissionHtml, SaysSoWhereAFileIsMissingOrNoPicture) {
   }
 }
 
+// Of part 5, whose picture in the sample record is 16 % off.
+std::string htmlWithMistake(double bias, double apart) {
+  record::SubmissionRecord record = test::sampleRecord("ben");
+  record.parts.at(5).mistakes.push_back({"part5_cosine_missing",
+                                         "the cosine is missing in the throughput",
+                                         "cornell_box",
+                                         "pictures/part5_cornell_box_yours.png",
+                                         "pictures/part5_cornell_box_reference.png",
+                                         "pictures/part5_mistake_1.png",
+                                         {bias, 0.95 * bias, 1.05 * bias},
+                                         {apart, 0.0, 1.5 * apart}});
+  return submissionHtml(record, test::sampleMarks(), test::samplePicture);
+}
+
+TEST(SubmissionHtml, ShowsWhatANamedMistakeDoesToTheSameScene) {
+  const std::string html = htmlWithMistake(0.162, 0.004);
+  expectSafe(html);
+  EXPECT_NE(html.find("What the mistake looks like"), std::string::npos);
+  EXPECT_NE(html.find("the cosine is missing in the throughput"), std::string::npos);
+  EXPECT_NE(html.find("Your picture looks like the one that this mistake alone makes: it is off by "
+                      "16 %, and differs from that one by 0.4 %."),
+            std::string::npos);
+  EXPECT_EQ(numberOf(html, "<img "), 13u) << "three more than without";
+}
+
+TEST(SubmissionHtml, SaysWhereAPictureIsUnlikeTheMistakes) {
+  const std::string html = htmlWithMistake(0.162, 0.12);
+  EXPECT_EQ(html.find("Your picture looks like"), std::string::npos);
+  EXPECT_NE(html.find("Yours differs from that too, by 12 %"), std::string::npos);
+}
+
+TEST(SubmissionHtml, ShowsNoPicturesOfAMistakeThatCannotBeSeen) {
+  const std::string html = htmlWithMistake(0.004, 0.001);
+  EXPECT_NE(html.find("It hardly shows in the picture"), std::string::npos);
+  EXPECT_EQ(numberOf(html, "<img "), 10u);
+}
+
 TEST(SubmissionHtml, SaysThatAnInternalErrorIsNoFaultOfTheSubmission) {
   record::SubmissionRecord record;
   record.name = "emil";

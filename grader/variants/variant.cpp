@@ -65,6 +65,19 @@ std::vector<Variant> variantsIn(const fs::path& folder) {
   return variants;
 }
 
+// Without fuzz: a change that is put where the lines around it have changed may no longer be the
+// mistake that the head tells of.
+void applyPatch(const fs::path& patch, const fs::path& folder) {
+  const ProcessResult applied =
+      runProcess({{"patch", "--strip=1", "--fuzz=0", "--batch", "--forward", "--reject-file=-",
+                   "--no-backup-if-mismatch", "--directory=" + folder.string(),
+                   "--input=" + fs::absolute(patch).string()},
+                  {},
+                  {}});
+  if (applied.exitCode != 0)
+    refuse(patch, "the patch does not apply to solutions/:\n" + applied.output);
+}
+
 }  // namespace
 
 Variant readVariant(const fs::path& patch) {
@@ -108,21 +121,16 @@ std::vector<Variant> allVariants() {
   return all;
 }
 
-// Without fuzz: a change that is put where the lines around it have changed may no longer be the
-// mistake that the head tells of.
 void applyVariant(const Variant& variant, const fs::path& folder) {
+  applyVariants({&variant, 1}, folder);
+}
+
+void applyVariants(std::span<const Variant> variants, const fs::path& folder) {
   fs::create_directories(folder);
   for (const PartContract& part : parts())
     fs::copy_file(kProjectFolder / "solutions" / part.file, folder / part.file,
                   fs::copy_options::overwrite_existing);
-  const ProcessResult applied =
-      runProcess({{"patch", "--strip=1", "--fuzz=0", "--batch", "--forward", "--reject-file=-",
-                   "--no-backup-if-mismatch", "--directory=" + folder.string(),
-                   "--input=" + fs::absolute(variant.patch).string()},
-                  {},
-                  {}});
-  if (applied.exitCode != 0)
-    refuse(variant.patch, "the patch does not apply to solutions/:\n" + applied.output);
+  for (const Variant& variant : variants) applyPatch(variant.patch, folder);
 }
 
 }  // namespace pathmark

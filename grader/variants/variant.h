@@ -4,6 +4,7 @@
 //   readVariant    what the head of a patch says
 //   allVariants    all of them
 //   applyVariant   the solutions with a variant's change
+//   applyVariants  the solutions with the changes of several
 //
 // A patch is a unified diff of one file of solutions/, after a head and an empty line:
 //
@@ -16,6 +17,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,5 +42,6 @@ std::vector<Variant> allVariants();
 // applies the patch. Throws std::runtime_error if its lines are not found exactly as they are, or
 // std::system_error if the program `patch` cannot be run.
 void applyVariant(const Variant& variant, const std::filesystem::path& folder);
+void applyVariants(std::span<const Variant> variants, const std::filesystem::path& folder);
 
 }  // namespace pathmark
