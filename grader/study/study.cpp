@@ -48,6 +48,9 @@ Json toJson(const std::string& key, const StudyRecord& record) {
           {"failed", record.failed},
           {"undecided", record.undecided},
           {"cause", record.cause},
+          {"calls", record.calls},
+          {"checkSeconds", record.checkSeconds},
+          {"distance", record.distance},
           {"statistics", record.statistics},
           {"seconds", record.seconds}};
 }
@@ -55,7 +58,12 @@ Json toJson(const std::string& key, const StudyRecord& record) {
 void note(const checks::CheckResult& result, StudyRecord& record) {
   const checks::Status status = result.finding.status;
   const bool failed = status == checks::Status::kFail || status == checks::Status::kBroken;
-  if (failed && record.failed.empty()) record.cause = result.finding.cause;
+  if (failed && record.failed.empty()) {
+    record.cause = result.finding.cause;
+    record.calls = result.finding.calls;
+    record.checkSeconds = result.seconds;
+    record.distance = result.finding.distance;
+  }
   if (failed) record.failed.push_back(idOf(*result.check));
   if (status == checks::Status::kUndecided) record.undecided.push_back(idOf(*result.check));
 }
@@ -64,9 +72,15 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
   checks::RunOptions options;
   options.seed = seed;
   options.threads = 1;
+  options.untilWrong = subject.variant && subject.variant->wrong;
+  options.diagnose = false;
   const checks::CourseworkResults results =
       checks::runChecks(subject.build, subject.selection, options);
-  StudyRecord record{subject.name, seed, {}, {}, {}, results.statistics, results.seconds};
+  StudyRecord record;
+  record.subject = subject.name;
+  record.seed = seed;
+  record.statistics = results.statistics;
+  record.seconds = results.seconds;
   for (const checks::PartResult& part : results.parts) {
     if (!part.failure.empty()) record.failed.push_back(fmt::format("part {}", part.part.part));
     for (const checks::FunctionResult& f : part.functions)
@@ -84,9 +98,18 @@ StudyLog::StudyLog(fs::path file) : file_(std::move(file)) {
   for (std::string line; std::getline(in, line);) {
     // The last line may have been cut off when a study was killed.
     const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || !json.contains("seconds")) continue;
-    StudyRecord record{json["subject"], json["seed"],       json["failed"], json["undecided"],
-                       json["cause"],   json["statistics"], json["seconds"]};
+    if (!json.is_object() || !json.contains("distance")) continue;
+    StudyRecord record;
+    record.subject = json["subject"];
+    record.seed = json["seed"];
+    record.failed = json["failed"];
+    record.undecided = json["undecided"];
+    record.cause = json["cause"];
+    record.calls = json["calls"];
+    record.checkSeconds = json["checkSeconds"];
+    record.distance = json["distance"];
+    record.statistics = json["statistics"];
+    record.seconds = json["seconds"];
     records_[{json["key"], record.seed}] = std::move(record);
   }
 }

@@ -33,7 +33,10 @@ struct StudyRecord {
   std::uint64_t seed = 0;
   std::vector<std::string> failed;  // ids of checks that failed or broke, in their order
   std::vector<std::string> undecided;
-  std::string cause;  // that the first of them gives
+  std::string cause;          // that the first of them gives
+  std::uint64_t calls = 0;    // that the first of them made
+  double checkSeconds = 0.0;  // and took
+  double distance = 0.0;      // from what is right, in the smallest errors that it finds; 0: exact
   std::int64_t statistics = 0;
   double seconds = 0.0;
 };

@@ -108,13 +108,17 @@ std::vector<Variant> allVariants() {
   return all;
 }
 
-// Without fuzz: a change that is put where the lines around it have changed may no longer be the
-// mistake that the head tells of.
 void applyVariant(const Variant& variant, const fs::path& folder) {
   fs::create_directories(folder);
   for (const PartContract& part : parts())
     fs::copy_file(kProjectFolder / "solutions" / part.file, folder / part.file,
                   fs::copy_options::overwrite_existing);
+  addVariant(variant, folder);
+}
+
+// Without fuzz: a change that is put where the lines around it have changed may no longer be the
+// mistake that the head tells of.
+void addVariant(const Variant& variant, const fs::path& folder) {
   const ProcessResult applied =
       runProcess({{"patch", "--strip=1", "--fuzz=0", "--batch", "--forward", "--reject-file=-",
                    "--no-backup-if-mismatch", "--directory=" + folder.string(),

@@ -4,6 +4,7 @@
 //   readVariant    what the head of a patch says
 //   allVariants    all of them
 //   applyVariant   the solutions with a variant's change
+//   addVariant     one more change, to a file that has been changed before
 //
 // A patch is a unified diff of one file of solutions/, after a head and an empty line:
 //
@@ -40,5 +41,8 @@ std::vector<Variant> allVariants();
 // applies the patch. Throws std::runtime_error if its lines are not found exactly as they are, or
 // std::system_error if the program `patch` cannot be run.
 void applyVariant(const Variant& variant, const std::filesystem::path& folder);
+
+// Applies the patch to what is in `folder`, and throws as applyVariant does.
+void addVariant(const Variant& variant, const std::filesystem::path& folder);
 
 }  // namespace pathmark
