@@ -45,8 +45,8 @@ struct StudyArguments {
 // Errors of half a per cent or one: the smallest that the checks promise to find.
 constexpr const char* kSlight = "slight";
 
-// Of two mistakes in one file that are tried on the diagnosis.
-constexpr std::size_t kMostPairs = 300;
+// Files that are tried on the diagnosis: with a mistake and a difference, and with two mistakes.
+constexpr std::size_t kMostFiles = 300;
 
 bool isSlight(const Variant& variant) { return variant.name.find("_slight_") != std::string::npos; }
 
@@ -143,7 +143,7 @@ study::DiagnosisReport runDiagnosis(const StudyArguments& arguments,
         "./pathmark study --catalogue makes it anew.");
   ProgressBar progress("diagnosis");
   study::DiagnosisReport report = study::measureDiagnosis(
-      catalogue, forDiagnosis(subjects), kMostPairs, threadsOf(arguments), diagnosisStep(progress));
+      catalogue, forDiagnosis(subjects), kMostFiles, threadsOf(arguments), diagnosisStep(progress));
   progress.clear();
   return report;
 }

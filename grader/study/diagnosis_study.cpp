@@ -298,12 +298,12 @@ bool DiagnosisReport::asItMustBe() const {
 }
 
 DiagnosisReport measureDiagnosis(const diagnosis::Catalogue& catalogue,
-                                 const std::vector<Variant>& variants, std::size_t mostPairs,
+                                 const std::vector<Variant>& variants, std::size_t most,
                                  unsigned threads, const StudyStep& step) {
   DiagnosisReport report;
   report.single = nameCases(singleCases(variants), catalogue, threads, step);
-  report.disguised = nameCases(disguisedCases(variants), catalogue, threads, step);
-  report.pairs = nameCases(pairedCases(variants, mostPairs), catalogue, threads, step);
+  report.disguised = nameCases(disguisedCases(variants, most), catalogue, threads, step);
+  report.pairs = nameCases(pairedCases(variants, most), catalogue, threads, step);
   return report;
 }
 

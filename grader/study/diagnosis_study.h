@@ -46,8 +46,9 @@ struct DiagnosisReport {
   bool asItMustBe() const;      // the rates that README promises
 };
 
+// `most`: files in disguise, and with two mistakes, that are tried.
 DiagnosisReport measureDiagnosis(const diagnosis::Catalogue& catalogue,
-                                 const std::vector<Variant>& variants, std::size_t mostPairs,
+                                 const std::vector<Variant>& variants, std::size_t most,
                                  unsigned threads, const StudyStep& step);
 
 }  // namespace pathmark::study

@@ -7,6 +7,17 @@ namespace pathmark::study {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::vector<MistakenCase> evenly(const std::vector<MistakenCase>& all, std::size_t most) {
+  std::vector<MistakenCase> some;
+  const std::size_t count = std::min(most, all.size());
+  for (std::size_t k = 0; k < count; ++k) some.push_back(all[k * all.size() / count]);
+  return some;
+}
+
+}  // namespace
+
 std::string MistakenCase::name() const {
   std::string name;
   for (const Variant& patch : patches) name += (name.empty() ? "" : " + ") + patch.name;
@@ -26,24 +37,22 @@ std::vector<MistakenCase> singleCases(const std::vector<Variant>& variants) {
   return cases;
 }
 
-std::vector<MistakenCase> disguisedCases(const std::vector<Variant>& variants) {
+std::vector<MistakenCase> disguisedCases(const std::vector<Variant>& variants, std::size_t most) {
   std::vector<MistakenCase> cases;
   for (const Variant& wrong : variants)
     for (const Variant& different : variants)
       if (wrong.wrong && !different.wrong && wrong.part == different.part)
         cases.push_back({{different, wrong}});
-  return cases;
+  return evenly(cases, most);
 }
 
 std::vector<MistakenCase> pairedCases(const std::vector<Variant>& variants, std::size_t most) {
-  std::vector<MistakenCase> all, some;
+  std::vector<MistakenCase> all;
   for (std::size_t a = 0; a < variants.size(); ++a)
     for (std::size_t b = a + 1; b < variants.size(); ++b)
       if (variants[a].wrong && variants[b].wrong && variants[a].part == variants[b].part)
         all.push_back({{variants[a], variants[b]}});
-  for (std::size_t k = 0; k < most && k < all.size(); ++k)
-    some.push_back(all[k * all.size() / std::min(most, all.size())]);
-  return some;
+  return evenly(all, most);
 }
 
 std::optional<CourseworkBuild> buildCase(const MistakenCase& c, const CourseworkBuild& others,

@@ -2,7 +2,8 @@
 // beside another mistake.
 //
 //   MistakenCase      one or two mistakes, and perhaps a correct difference, in one file
-//   disguisedCases    every mistake by itself, and with each difference that its file allows
+//   singleCases       every mistake by itself
+//   disguisedCases    mistakes in files that differ where they may, at most so many
 //   pairedCases       two mistakes in one file, at most so many
 //   buildCase         the coursework that has them
 #pragma once
@@ -27,9 +28,9 @@ struct MistakenCase {
 };
 
 std::vector<MistakenCase> singleCases(const std::vector<Variant>& variants);
-std::vector<MistakenCase> disguisedCases(const std::vector<Variant>& variants);
 
-// Evenly taken from all pairs.
+// Evenly taken from all combinations.
+std::vector<MistakenCase> disguisedCases(const std::vector<Variant>& variants, std::size_t most);
 std::vector<MistakenCase> pairedCases(const std::vector<Variant>& variants, std::size_t most);
 
 // Nothing if the patches do not go together: if they change the same lines, or what they make does
