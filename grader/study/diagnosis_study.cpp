@@ -1,5 +1,6 @@
 #include "study/diagnosis_study.h"
 
+#include "checks/runner.h"
 #include "checks/scenes.h"
 #include "diagnosis/diagnose.h"
 #include "diagnosis/probes.h"
@@ -27,15 +28,40 @@ namespace {
 using diagnosis::ProbeSeed;
 using diagnosis::Signature;
 
-// By function, of one part; those that break are left out.
+// By function; those that break are left out.
 using Signatures = std::map<CourseworkFunction, Signature>;
+using Functions = std::set<CourseworkFunction>;
 
-Signatures probePart(const CourseworkBuild& build, int part, ProbeSeed seed) {
+Functions functionsOf(int part) {
+  Functions functions;
+  for (const FunctionContract& f : contract())
+    if (f.part == part) functions.insert(f.function);
+  return functions;
+}
+
+// Those in which a check finds something wrong: of these alone a mistake is named.
+Functions failingIn(const CourseworkBuild& build, int part) {
+  checks::Selection selection;
+  selection.parts = {part};
+  selection.images = selection.scenes = false;
+  checks::RunOptions options;
+  options.threads = 1;
+  options.untilWrong = true;
+  options.diagnose = false;
+  Functions failing;
+  for (const checks::PartResult& p : checks::runChecks(build, selection, options).parts)
+    for (const checks::FunctionResult& f : p.functions)
+      if (f.status == checks::Status::kFail) failing.insert(f.function.function);
+  return failing;
+}
+
+Signatures probeAll(const CourseworkBuild& build, int part, const Functions& functions,
+                    ProbeSeed seed) {
   Signatures all;
   const LinkedWorker linked = linkWithStandIns(build, std::array{part});
   std::unique_ptr<WorkerProcess> worker;
   for (const FunctionContract& f : contract()) {
-    if (f.part != part) continue;
+    if (!functions.contains(f.function)) continue;
     try {
       if (!worker) {
         WorkerProcess::Options options;
@@ -100,7 +126,7 @@ enum class LeaveOut { kNothing, kMade, kAlike };
 
 Named nameOf(const MistakenCase& c, const Signatures& signatures,
              const diagnosis::Catalogue& catalogue, LeaveOut leaveOut, std::string& words) {
-  bool seen = false, right = false, wrong = false;
+  bool right = false, wrong = false;
   for (const auto& [function, signature] : signatures) {
     const diagnosis::FunctionCatalogue* known = catalogue.find(function);
     if (known == nullptr) continue;
@@ -112,7 +138,6 @@ Named nameOf(const MistakenCase& c, const Signatures& signatures,
       unknown.insert(unknown.end(), names.begin(), names.end());
     }
     const diagnosis::Match m = diagnosis::match(signature, *known, unknown);
-    seen = seen || m.distanceFromRight >= diagnosis::kExcluded;
     if (m.mistakes.empty()) continue;
     const bool made = std::any_of(m.mistakes.begin(), m.mistakes.end(),
                                   [&](const auto* k) { return c.makes(k->mistake); });
@@ -123,7 +148,7 @@ Named nameOf(const MistakenCase& c, const Signatures& signatures,
   }
   if (wrong) return Named::kWrong;
   if (right) return Named::kRight;
-  return seen ? Named::kNothing : Named::kUnseen;
+  return signatures.empty() ? Named::kUnseen : Named::kNothing;
 }
 
 // Where nothing was named: how near the mistake was, and which feature was farthest from it.
@@ -150,7 +175,8 @@ std::vector<NamedCase> nameCases(const std::vector<MistakenCase>& cases,
     const MistakenCase& c = cases[i];
     const auto build = buildCase(c, others, scratchFolder());
     if (!build) return;
-    const Signatures signatures = probePart(*build, c.part(), ProbeSeed::kDisguise);
+    const Functions failing = failingIn(*build, c.part());
+    const Signatures signatures = probeAll(*build, c.part(), failing, ProbeSeed::kDisguise);
     NamedCase result{c.name(), c.patches.back().name, {}, {}, {}, {}};
     result.known = nameOf(c, signatures, catalogue, LeaveOut::kNothing, result.words);
     result.leftOut = nameOf(c, signatures, catalogue, LeaveOut::kMade, result.words);
@@ -231,12 +257,14 @@ diagnosis::Catalogue makeCatalogue(const std::vector<Variant>& variants, unsigne
     const auto build = buildCase(cases[i], others, scratchFolder());
     if (!build)
       throw std::runtime_error(cases[i].name() + " does not apply to the solutions or compile.");
-    all[i] = probePart(*build, cases[i].part(), ProbeSeed::kCatalogue);
+    const int part = cases[i].part();
+    all[i] = probeAll(*build, part, functionsOf(part), ProbeSeed::kCatalogue);
   });
   diagnosis::Catalogue catalogue{catalogueStamp(), {}};
   for (const PartContract& part : parts()) {
-    if (part.part > 6) continue;
-    for (const auto& [function, right] : probePart(others, part.part, ProbeSeed::kCatalogue)) {
+    const Signatures rights =
+        probeAll(others, part.part, functionsOf(part.part), ProbeSeed::kCatalogue);
+    for (const auto& [function, right] : rights) {
       diagnosis::FunctionCatalogue f{
           function, hashOf(right), diagnosis::knownSignature("", "", right), {}};
       for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -27,7 +27,7 @@ enum class Named {
   kRight,    // the mistake, or a pair of which it is one
   kWrong,    // another one, of any of the functions
   kNothing,  // nothing clear
-  kUnseen,   // no function does anything that is not right: the difference has mended the mistake
+  kUnseen,   // no check fails: the difference has mended the mistake
 };
 
 struct NamedCase {
