@@ -1,6 +1,5 @@
 #include "study/kill_table.h"
 
-#include "checks/all_checks.h"
 #include "worker/contract.h"
 
 #include <fmt/format.h>
@@ -16,13 +15,6 @@ std::string sectionOf(const std::string& function) {
   for (const FunctionContract& f : contract())
     if (f.name == function) return std::string(f.section);
   return {};
-}
-
-double deltaOf(const std::string& id) {
-  for (const PartContract& part : parts())
-    for (const checks::Check& check : checks::checksOfPart(part.part))
-      if (idOf(check) == id) return check.delta;
-  return 0.0;
 }
 
 std::string mostOften(const std::map<std::string, int>& counts) {
@@ -45,8 +37,10 @@ void note(const StudyRecord& record, const std::string& section, KillRow& row) {
   ++row.found;
   ++row.checks[first];
   if (!first.starts_with(section + "/")) ++row.elsewhere;
-  if (record.distance > 0.0 && (row.distance == 0.0 || record.distance < row.distance))
+  if (record.seed == 1) {
     row.distance = record.distance;
+    row.farthest = record.farthest;
+  }
 }
 
 // "right", or "right 3 of 4" where it is also disguised.
@@ -73,8 +67,9 @@ std::string checkWords(const KillRow& row) {
 
 std::string distanceWords(const KillRow& row) {
   if (row.distance == 0.0) return "exact";
-  return row.distance < 99.5 ? fmt::format("{:.1f}", row.distance)
-                             : fmt::format("{:.0f}", row.distance);
+  const std::string words = row.distance < 99.5 ? fmt::format("{:.1f}", row.distance)
+                                                : fmt::format("{:.0f}", row.distance);
+  return row.checks.contains(row.farthest) ? words : fmt::format("{} ({})", words, row.farthest);
 }
 
 }  // namespace
@@ -99,7 +94,6 @@ std::vector<KillRow> killTable(const std::vector<StudySubject>& subjects,
       if (record.subject == subject.name) note(record, section, row);
     if (row.seeds == 0) continue;
     row.seconds /= row.seeds;
-    row.delta = deltaOf(mostOften(row.checks));
     for (const auto* cases : {&diagnosis.single, &diagnosis.disguised})
       for (const NamedCase& c : *cases)
         if (c.mistake == subject.name) row.named.push_back(c);
@@ -109,10 +103,10 @@ std::vector<KillRow> killTable(const std::vector<StudySubject>& subjects,
 }
 
 std::string asText(const std::vector<KillRow>& rows) {
-  std::string text = fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8} {:>7}  {}\n", "mistake", "found",
+  std::string text = fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8} {:>20}  {}\n", "mistake", "found",
                                  "first by", "calls", "ms", "deltas", "diagnosis");
   for (const KillRow& row : rows)
-    text += fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8.1f} {:>7}  {}{}\n", row.variant.name,
+    text += fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8.1f} {:>20}  {}{}\n", row.variant.name,
                         fmt::format("{}/{}", row.found, row.seeds), checkWords(row), row.calls,
                         1000.0 * row.seconds, distanceWords(row), namedWords(row),
                         row.asItMustBe() ? "" : "   <-- must not be");
@@ -135,8 +129,9 @@ std::string asChapter(const std::vector<KillRow>& rows, const std::vector<StudyS
       "byte, which pass.\n\n"
       "* **first by**: the check that fails first, in the order in which they are run.\n"
       "* **calls**, **ms**: of that check: of the coursework's functions, and its time.\n"
-      "* **deltas**: how far from right the mistake is, in the smallest errors that the check "
-      "promises to find; the\n  least over the seeds. Exact checks need no samples.\n"
+      "* **deltas**: how far from right the mistake is, in the smallest errors that a check "
+      "promises to find, under the\n  first seed; in the check that finds it farthest, which is "
+      "named where it is not the first. *exact*: of a\n  check without statistics.\n"
       "* **named**: how often the diagnosis named the mistake: by itself with random numbers that "
       "are not those of\n  the catalogue, and in files that also differ from the solutions where "
       "they may.\n",

@@ -22,8 +22,8 @@ struct KillRow {
   std::map<std::string, int> checks;  // those that failed first, with how many seeds
   std::uint64_t calls = 0;            // of that check, at most over the seeds
   double seconds = 0.0;               // that it took, mean
-  double distance = 0.0;              // from right, in the check's deltas, least; 0: exact
-  double delta = 0.0;                 // of the check that failed first most often
+  double distance = 0.0;              // from right, in a check's deltas, largest; 0: exact
+  std::string farthest;               // the check
   std::vector<NamedCase> named;       // by itself with other random numbers, then in disguise
 
   bool asItMustBe() const;

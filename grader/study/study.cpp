@@ -51,8 +51,16 @@ Json toJson(const std::string& key, const StudyRecord& record) {
           {"calls", record.calls},
           {"checkSeconds", record.checkSeconds},
           {"distance", record.distance},
+          {"farthest", record.farthest},
           {"statistics", record.statistics},
           {"seconds", record.seconds}};
+}
+
+// What fails a check without statistics is as far off as can be.
+bool isFarther(const checks::CheckResult& result, const StudyRecord& record) {
+  if (record.farthest.empty()) return true;
+  if (record.distance == 0.0) return false;
+  return result.check->delta == 0.0 || result.finding.distance > record.distance;
 }
 
 void note(const checks::CheckResult& result, StudyRecord& record) {
@@ -62,7 +70,10 @@ void note(const checks::CheckResult& result, StudyRecord& record) {
     record.cause = result.finding.cause;
     record.calls = result.finding.calls;
     record.checkSeconds = result.seconds;
-    record.distance = result.finding.distance;
+  }
+  if (failed && isFarther(result, record)) {
+    record.distance = result.check->delta > 0.0 ? result.finding.distance : 0.0;
+    record.farthest = idOf(*result.check);
   }
   if (failed) record.failed.push_back(idOf(*result.check));
   if (status == checks::Status::kUndecided) record.undecided.push_back(idOf(*result.check));
@@ -72,7 +83,9 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
   checks::RunOptions options;
   options.seed = seed;
   options.threads = 1;
-  options.untilWrong = subject.variant && subject.variant->wrong;
+  // How far off a mistake is takes all checks; that it is found under other seeds too, only those
+  // up to the first that fails.
+  options.untilWrong = seed != 1 && subject.variant && subject.variant->wrong;
   options.diagnose = false;
   const checks::CourseworkResults results =
       checks::runChecks(subject.build, subject.selection, options);
@@ -98,7 +111,7 @@ StudyLog::StudyLog(fs::path file) : file_(std::move(file)) {
   for (std::string line; std::getline(in, line);) {
     // The last line may have been cut off when a study was killed.
     const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || !json.contains("distance")) continue;
+    if (!json.is_object() || !json.contains("farthest")) continue;
     StudyRecord record;
     record.subject = json["subject"];
     record.seed = json["seed"];
@@ -108,6 +121,7 @@ StudyLog::StudyLog(fs::path file) : file_(std::move(file)) {
     record.calls = json["calls"];
     record.checkSeconds = json["checkSeconds"];
     record.distance = json["distance"];
+    record.farthest = json["farthest"];
     record.statistics = json["statistics"];
     record.seconds = json["seconds"];
     records_[{json["key"], record.seed}] = std::move(record);

@@ -36,7 +36,10 @@ struct StudyRecord {
   std::string cause;          // that the first of them gives
   std::uint64_t calls = 0;    // that the first of them made
   double checkSeconds = 0.0;  // and took
-  double distance = 0.0;      // from what is right, in the smallest errors that it finds; 0: exact
+  // The largest distance from what is right, in the smallest errors that a check finds, and the
+  // check; 0 where one without statistics failed.
+  double distance = 0.0;
+  std::string farthest;
   std::int64_t statistics = 0;
   double seconds = 0.0;
 };
