@@ -42,7 +42,7 @@ struct StudyArguments {
   std::string log = (fs::path(build::kBuildFolder) / "study/records.jsonl").string();
 };
 
-// Errors of half a per cent or one: the smallest that the checks promise to find.
+// Small errors: about twice the smallest that the checks promise to find.
 constexpr const char* kSlight = "slight";
 
 // Files that are tried on the diagnosis: with a mistake and a difference, and with two mistakes.
@@ -177,7 +177,7 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
       "study", "Try the checks on what is known to be right or wrong, under many seeds");
   command
       ->add_option("what", arguments->what,
-                   "solutions, correct, wrong, slight (errors of 1 % and less), or names of "
+                   "solutions, correct, wrong, slight (small errors), or names of "
                    "variants; all by default")
       ->type_name("SUBJECT");
   takesWholeNumber(command->add_option("--seeds", arguments->seeds, "Seeds for each (20)"), 1,
@@ -206,7 +206,7 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark study solutions --seeds 1000      (go on with Ctrl-C and the same command)\n"
       "  ./pathmark study solutions --images --seeds 200\n"
       "  ./pathmark study wrong --seeds 1\n"
-      "  ./pathmark study slight --seeds 1000         (how often errors of 1 % are found)\n"
+      "  ./pathmark study slight --seeds 1000         (how often small errors are found)\n"
       "  ./pathmark study --catalogue                 (after a change of variants or probes)\n\n"
       "Exit code: 0 if all that is right passed, all that is wrong was found, and the diagnosis is "
       "as good as it must be; 1 if not, 130 if interrupted.");
