@@ -46,7 +46,7 @@ struct StudyArguments {
 constexpr const char* kSlight = "slight";
 
 // Files that are tried on the diagnosis: with a mistake and a difference, and with two mistakes.
-constexpr std::size_t kMostFiles = 300;
+constexpr std::size_t kMostFiles = 120;
 
 bool isSlight(const Variant& variant) { return variant.name.find("_slight_") != std::string::npos; }
 
@@ -143,7 +143,8 @@ study::DiagnosisReport runDiagnosis(const StudyArguments& arguments,
         "./pathmark study --catalogue makes it anew.");
   ProgressBar progress("diagnosis");
   study::DiagnosisReport report = study::measureDiagnosis(
-      catalogue, forDiagnosis(subjects), kMostFiles, threadsOf(arguments), diagnosisStep(progress));
+      catalogue, forDiagnosis(subjects), kMostFiles, threadsOf(arguments),
+      fs::path(arguments.log).replace_extension(".named.jsonl"), diagnosisStep(progress));
   progress.clear();
   return report;
 }

@@ -43,7 +43,7 @@ Signature triangle(const ProbeRun& run) {
       const std::string where =
           fmt::format("ray {} at a triangle of size {}: {}", k + 1, size, situation(m));
       signature.add("hit, " + where, hit ? 1.0 : 0.0);
-      if (hit) signature.add("t over what it must be, " + where, results.number(0, 1) / m.t);
+      signature.add("t over what it must be, " + where, hit ? results.number(0, 1) / m.t : -1.0);
     }
   return signature;
 }

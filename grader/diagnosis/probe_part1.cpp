@@ -199,7 +199,7 @@ Signature pixels(const ProbeRun& run) {
   Signature signature;
   const SimpleCamera camera = filmCameras()[0];
   for (const int rays : {1, 4, 7, 16, 24}) addCounts(run, camera, rays, signature);
-  for (const int rays : {1, 8, 16}) addPlaces(run, camera, rays, signature);
+  for (const int rays : {1, 7, 24}) addPlaces(run, camera, rays, signature);
   return signature;
 }
 

@@ -1,5 +1,7 @@
 // One bounce and the whole path of part 0, in meshes like those of
 // checks/part0_radiance_checks.cpp.
+#include "checks/pcg2d.h"
+#include "checks/points.h"
 #include "checks/radiance_checks.h"
 #include "diagnosis/warmup_probes.h"
 
@@ -15,16 +17,27 @@ namespace {
 
 using namespace checks;
 
-constexpr std::uint32_t kReplicates = 32, kSeeds = 512;
+constexpr std::uint32_t kReplicates = 64, kSeeds = 1024;
+
+std::uint32_t wordOf(float u, Random& random) {
+  return (static_cast<std::uint32_t>(u * 0x1p24f) << 8) | (random.bits() >> 24);
+}
 
 // `add` adds a call with this seed. Radiances are taken over `scale`.
 void addMeans(const ProbeRun& run, const Words& mesh, const std::string& where, const Colour& scale,
               const std::function<void(Calls&, uvec2)>& add, Signature& signature) {
   Random random(run.seed);
   Calls calls(run.function, mesh);
-  for (std::uint32_t k = 0; k < kReplicates * kSeeds; ++k) {
-    const std::uint32_t x = random.bits();
-    add(calls, {x, random.bits()});
+  // The first two numbers of the seeds are evenly spread: the hash is turned back.
+  Points points(run.seed, kSeeds);
+  for (std::uint32_t r = 0; r < kReplicates; ++r) {
+    points.start(r);
+    for (std::uint32_t m = 0; m < kSeeds; ++m) {
+      points.point(m);
+      const vec2 u = points.pair();
+      const std::uint32_t x = wordOf(u.x, random);
+      add(calls, seedOf({x, wordOf(u.y, random)}));
+    }
   }
   const Results results = calls.run(run.worker);
   Replicates means(kReplicates, 5);

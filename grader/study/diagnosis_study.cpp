@@ -7,6 +7,8 @@
 #include "host/build_config.h"
 #include "host/content_hash.h"
 #include "host/worker_process.h"
+#include "study/named_log.h"
+#include "study/study.h"
 
 #include <fmt/format.h>
 
@@ -168,13 +170,20 @@ std::string whyNothing(const MistakenCase& c, const Signatures& signatures,
 
 std::vector<NamedCase> nameCases(const std::vector<MistakenCase>& cases,
                                  const diagnosis::Catalogue& catalogue, unsigned threads,
-                                 const StudyStep& step) {
+                                 NamedLog& log, const StudyStep& step) {
+  const std::string judge = programHash() + contentHash(readFile(diagnosis::catalogueFile()));
   const CourseworkBuild others = solutions();
   std::vector<std::optional<NamedCase>> named(cases.size());
   forAll(cases.size(), threads, step, [&](std::size_t i) {
     const MistakenCase& c = cases[i];
     const auto build = buildCase(c, others, scratchFolder());
     if (!build) return;
+    const PartBuild& part = build->parts[static_cast<std::size_t>(c.part())];
+    const std::string key = contentHash(judge + c.name() + part.object.filename().string());
+    if (const auto known = log.find(key)) {
+      named[i] = *known;
+      return;
+    }
     const Functions failing = failingIn(*build, c.part());
     const Signatures signatures = probeAll(*build, c.part(), failing, ProbeSeed::kDisguise);
     NamedCase result{c.name(), c.patches.back().name, {}, {}, {}, {}};
@@ -183,6 +192,7 @@ std::vector<NamedCase> nameCases(const std::vector<MistakenCase>& cases,
     std::string ignored;
     result.leftOutAlike = nameOf(c, signatures, catalogue, LeaveOut::kAlike, ignored);
     if (result.known == Named::kNothing) result.words += whyNothing(c, signatures, catalogue);
+    log.add(key, result);
     named[i] = result;
   });
   std::vector<NamedCase> result;
@@ -327,11 +337,12 @@ bool DiagnosisReport::asItMustBe() const {
 
 DiagnosisReport measureDiagnosis(const diagnosis::Catalogue& catalogue,
                                  const std::vector<Variant>& variants, std::size_t most,
-                                 unsigned threads, const StudyStep& step) {
+                                 unsigned threads, const fs::path& file, const StudyStep& step) {
+  NamedLog log(file);
   DiagnosisReport report;
-  report.single = nameCases(singleCases(variants), catalogue, threads, step);
-  report.disguised = nameCases(disguisedCases(variants, most), catalogue, threads, step);
-  report.pairs = nameCases(pairedCases(variants, most), catalogue, threads, step);
+  report.single = nameCases(singleCases(variants), catalogue, threads, log, step);
+  report.disguised = nameCases(disguisedCases(variants, most), catalogue, threads, log, step);
+  report.pairs = nameCases(pairedCases(variants, most), catalogue, threads, log, step);
   return report;
 }
 

@@ -8,6 +8,7 @@
 
 #include "diagnosis/catalogue.h"
 #include "study/disguise.h"
+#include "study/named_case.h"
 
 #include <functional>
 #include <string>
@@ -22,23 +23,6 @@ std::string catalogueStamp();
 diagnosis::Catalogue makeCatalogue(const std::vector<Variant>& variants, unsigned threads,
                                    const StudyStep& step);
 
-// What is said of the functions of a file with a mistake.
-enum class Named {
-  kRight,    // the mistake, or a pair of which it is one
-  kWrong,    // another one, of any of the functions
-  kNothing,  // nothing clear
-  kUnseen,   // no check fails: the difference has mended the mistake
-};
-
-struct NamedCase {
-  std::string name;
-  std::string mistake;                   // that is made; of two the second
-  Named known = Named::kNothing;         // by the whole catalogue
-  Named leftOut = Named::kNothing;       // without the mistakes that are made
-  Named leftOutAlike = Named::kNothing;  // without those that look the same, either
-  std::string words;                     // which names were given, where they are not the right one
-};
-
 struct DiagnosisReport {
   std::vector<NamedCase> single, disguised, pairs;
   std::string text() const;     // what was not named right, and the rates
@@ -46,9 +30,11 @@ struct DiagnosisReport {
   bool asItMustBe() const;      // the rates that README promises
 };
 
-// `most`: files in disguise, and with two mistakes, that are tried.
+// `most`: files in disguise, and with two mistakes, that are tried. What is in the log already is
+// not asked again.
 DiagnosisReport measureDiagnosis(const diagnosis::Catalogue& catalogue,
                                  const std::vector<Variant>& variants, std::size_t most,
-                                 unsigned threads, const StudyStep& step);
+                                 unsigned threads, const std::filesystem::path& log,
+                                 const StudyStep& step);
 
 }  // namespace pathmark::study

@@ -24,15 +24,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-// Of the program that is running: another build of it may judge differently.
-const std::string& programHash() {
-  static const std::string hash = [] {
-    std::ifstream in("/proc/self/exe", std::ios::binary);
-    return contentHash(std::string(std::istreambuf_iterator<char>(in), {}));
-  }();
-  return hash;
-}
-
 // What a record depends on besides the seed.
 std::string keyOf(const StudySubject& subject) {
   std::string text = programHash() + subject.name + (subject.selection.images ? " images " : " ") +
@@ -104,6 +95,14 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
 }
 
 }  // namespace
+
+const std::string& programHash() {
+  static const std::string hash = [] {
+    std::ifstream in("/proc/self/exe", std::ios::binary);
+    return contentHash(std::string(std::istreambuf_iterator<char>(in), {}));
+  }();
+  return hash;
+}
 
 StudyLog::StudyLog(fs::path file) : file_(std::move(file)) {
   fs::create_directories(file_.parent_path());

@@ -44,6 +44,9 @@ struct StudyRecord {
   double seconds = 0.0;
 };
 
+// Of the program that is running: another build of it may judge differently.
+const std::string& programHash();
+
 class StudyLog {
  public:
   // Records made by another build of the grader, or of another version of a subject, are kept in
