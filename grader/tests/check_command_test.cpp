@@ -158,7 +158,8 @@ TEST(CheckCommand, WritesAllResultsAsJson) {
   const nlohmann::json& function = json["parts"][0]["functions"][0];
   EXPECT_EQ(function["name"], "lambertianBRDF::brdf");
   EXPECT_EQ(function["status"], "fail");
-  EXPECT_EQ(function["checks"][0]["cause"], "the factor 1/pi is missing");
+  EXPECT_EQ(function["checks"][0]["cause"], "f = Kd, the 1/pi is forgotten");
+  EXPECT_EQ(function["diagnosis"]["mistake"], "part3_pi_forgotten");
 }
 
 TEST(CheckCommand, WatchChecksAgainWhatIsSaved) {
