@@ -36,11 +36,14 @@ struct Finding {
   std::string got;                   // "pdf = 1.000000"
   std::string tolerance;             // "0.0001 of the value", "6.9 standard errors of 0.0012"
   std::string cause;                 // likely cause, in words; empty if nothing matches clearly
+  std::string evidence;              // for the cause, where it is a known mistake
   std::string remark;                // of a pass: correct, but noisier than it could be
   std::optional<WorkerFault> fault;  // of what is broken: how the worker ended
 
   // Of a statistical check that passed: the smallest relative error that it would have found.
   double shown = 0.0;
+  // Of a statistical check that failed: how far off it was, in the smallest errors that it finds.
+  double distance = 0.0;
   std::uint64_t calls = 0;
 
   bool passed() const { return status == Status::kPass; }

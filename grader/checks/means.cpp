@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pathmark::checks {
@@ -51,6 +52,17 @@ Finding describe(const Mean& mean, const stats::Judgement& j, const std::string&
   return finding;
 }
 
+// Of the means that fail, from what they must be, in their deltas.
+double farthest(const std::vector<Mean>& means, const std::vector<stats::Judgement>& judgements) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    if (judgements[k].outcome != stats::Outcome::kFail) continue;
+    const double off = std::abs(judgements[k].mean - means[k].expected);
+    largest = std::max(largest, off / (means[k].delta * means[k].scale));
+  }
+  return largest;
+}
+
 }  // namespace
 
 Finding judgeMeans(CheckRun& run, const std::vector<Mean>& means, const Measure& measure,
@@ -90,6 +102,7 @@ Finding judgeMeans(CheckRun& run, const std::vector<Mean>& means, const Measure&
       break;
     case stats::Outcome::kFail:
       finding.status = Status::kFail;
+      finding.distance = farthest(means, judgements);
       for (const Suspicion& suspicion : suspicions)
         if (finding.cause.empty() && explains(suspicion, means, tests))
           finding.cause = suspicion.mistake;

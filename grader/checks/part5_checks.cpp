@@ -273,7 +273,8 @@ Finding lopsidedFurnace(CheckRun& run) {
 // The weight of a bounce changes the radiance of the whole by much less than itself. With the same
 // random numbers the paths of one bounce more are the same paths, continued: what they add has
 // little noise, and an error of the weight shows in full. A wall that is black in green keeps the
-// roulette's stand-in from ending paths, which would be most of the noise.
+// roulette's stand-in from ending paths, which would be most of the noise. With the third bounce it
+// shows whether the throughput remembers the first.
 constexpr double kBounceDelta = 0.01;
 
 Finding furtherBounces(CheckRun& run) {
@@ -281,32 +282,43 @@ Finding furtherBounces(CheckRun& run) {
   const Hollow hollow(random);
   const Colour kd(0.5f, 0.0f, 0.75f), emission(1.0f, 0.5f, 2.0f);
   constexpr std::array kLit{0, 2};  // channels that the wall reflects
+  constexpr int kMostBounces = 3;
   run.worker.loadScene(furnaceIn(hollow, kd, emission));
   const double cosine = 0.6;
   const Ray ray = hollow.rayAt(cosine, random);
-  PathEstimates once(run, {{ray, 1}}, 1024), twice(run, {{ray, 2}}, 1024);
-  const Mean ratio{
-      .what = "what bounce 2 adds / what it must", .expected = 1.0, .delta = kBounceDelta};
+  std::vector<PathEstimates> upTo;
+  std::vector<Mean> ratios;
+  for (int bounces = 1; bounces <= kMostBounces; ++bounces) {
+    upTo.emplace_back(run, std::vector<PathRay>{{ray, bounces}}, 1024);
+    if (bounces > 1)
+      ratios.push_back({.what = fmt::format("what bounce {} adds / what it must", bounces),
+                        .expected = 1.0,
+                        .delta = (bounces - 1) * kBounceDelta});
+  }
   const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
-    std::vector<double> one(3 * count), two(3 * count);
-    once.measure(first, count, one);
-    twice.measure(first, count, two);
-    for (std::size_t r = 0; r < count; ++r) {
-      values[r] = 0.0;
-      for (const int c : kLit) {
-        const LopsidedFurnace furnace{double{emission[c]}, double{kd[c]}};
-        const double added = furnace.radiance(cosine, 2) - furnace.radiance(cosine, 1);
-        const std::size_t at = 3 * r + static_cast<std::size_t>(c);
-        values[r] += (two[at] - one[at]) / (added * kLit.size());
+    std::vector<double> before(3 * count), after(3 * count);
+    upTo[0].measure(first, count, before);
+    for (int bounces = 2; bounces <= kMostBounces; ++bounces, std::swap(before, after)) {
+      upTo[static_cast<std::size_t>(bounces - 1)].measure(first, count, after);
+      for (std::size_t r = 0; r < count; ++r) {
+        double& ratio = values[r * ratios.size() + static_cast<std::size_t>(bounces - 2)];
+        ratio = 0.0;
+        for (const int c : kLit) {
+          const LopsidedFurnace furnace{double{emission[c]}, double{kd[c]}};
+          const double added =
+              furnace.radiance(cosine, bounces) - furnace.radiance(cosine, bounces - 1);
+          const std::size_t at = 3 * r + static_cast<std::size_t>(c);
+          ratio += (after[at] - before[at]) / (added * kLit.size());
+        }
       }
     }
   };
   Finding finding = judgeMeans(
-      run, {ratio}, measure,
-      fmt::format("inside a sphere that emits {} everywhere, maxBounces() = 1 and 2 with the same "
+      run, ratios, measure,
+      fmt::format("inside a sphere that emits {} everywhere, maxBounces() = 1 to {} with the same "
                   "random numbers",
-                  text(emission)));
-  finding.calls = once.paths() + twice.paths();
+                  text(emission), kMostBounces));
+  for (const PathEstimates& estimates : upTo) finding.calls += estimates.paths();
   return finding;
 }
 

@@ -2,6 +2,8 @@
 
 #include "checks/all_checks.h"
 #include "checks/check_bench.h"
+#include "diagnosis/diagnose.h"
+#include "diagnosis/probes.h"
 #include "host/stub_report.h"
 
 #include <fmt/format.h>
@@ -59,7 +61,7 @@ bool isNeeded(const Check& check, std::span<const Check> all, const Selection& s
 
 // Throws WorkerStopped if it may not go on.
 void checkFunctions(PartResult& part, CheckBench& bench, const Selection& selection,
-                    stats::ErrorBudget& budget, RunProgress& progress) {
+                    const RunOptions& options, stats::ErrorBudget& budget, RunProgress& progress) {
   const StubReport stubs = makeStubReport(bench.worker().stubs());
   const std::span<const Check> all = checksOfPart(part.part.part);
   for (const FunctionContract& f : contract()) {
@@ -70,7 +72,8 @@ void checkFunctions(PartResult& part, CheckBench& bench, const Selection& select
   for (const Check& check : all) {
     FunctionResult& function = *functionIn(part, check.function);
     if (!selection.selects(check) && !isNeeded(check, all, selection)) continue;
-    if (function.status == Status::kNotWritten || function.status == Status::kBroken) {
+    const bool enough = options.untilWrong && function.status == Status::kFail;
+    if (function.status == Status::kNotWritten || function.status == Status::kBroken || enough) {
       progress.done();
       continue;
     }
@@ -94,6 +97,39 @@ void checkFunctions(PartResult& part, CheckBench& bench, const Selection& select
   });
 }
 
+// What a known mistake explains is said once, with the first check that fails: the checks guess at
+// causes by themselves, each from what it has seen alone.
+void tell(const diagnosis::Diagnosis& diagnosis, FunctionResult& function) {
+  bool said = false;
+  for (CheckResult& result : function.checks) {
+    if (result.finding.status != Status::kFail) continue;
+    result.finding.cause = said ? std::string() : diagnosis.what;
+    result.finding.evidence = said ? std::string() : diagnosis.evidence;
+    said = true;
+  }
+  function.diagnosis = diagnosis;
+}
+
+// The functions that are wrong are asked once more, as the known mistakes were. Throws
+// WorkerStopped if it may not go on.
+void diagnose(PartResult& part, CheckBench& bench) {
+  const diagnosis::Catalogue& catalogue = diagnosis::shippedCatalogue();
+  for (FunctionResult& function : part.functions) {
+    const CourseworkFunction f = function.function.function;
+    const diagnosis::FunctionCatalogue* known = catalogue.find(f);
+    if (function.status != Status::kFail || known == nullptr) continue;
+    try {
+      const diagnosis::Signature seen =
+          diagnosis::probe(bench.worker(), f, diagnosis::ProbeSeed::kCatalogue);
+      const diagnosis::Diagnosis found = diagnosis::diagnose(seen, *known);
+      if (!found.mistake.empty()) tell(found, function);
+    } catch (const WorkerError&) {
+      // What the checks have found stands, without a name.
+      bench.forget();
+    }
+  }
+}
+
 // Nothing if it may not go on.
 std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
                                     const Selection& selection, const RunOptions& options,
@@ -112,7 +148,8 @@ std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
   }
   CheckBench bench(linked.worker, build, options, progress);
   try {
-    checkFunctions(part, bench, selection, budget, progress);
+    checkFunctions(part, bench, selection, options, budget, progress);
+    if (options.diagnose) diagnose(part, bench);
   } catch (const WorkerError& e) {
     part.failure = std::string("cannot be started: ") + e.what();
     part.fault = e.fault();

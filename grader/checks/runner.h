@@ -31,6 +31,8 @@ struct RunOptions {
   double secondsWithoutAnswer = 5.0;
   std::size_t memoryBytes = WorkerLimits{}.memoryBytes;  // of a worker
   std::function<void(std::string_view)> onText;          // what the coursework prints
+  bool untilWrong = false;  // a function that has failed a check is not asked any more
+  bool diagnose = true;     // what is wrong is compared with known mistakes
 
   // Results of parts that are not selected this time, which become part of the new ones.
   const CourseworkResults* known = nullptr;

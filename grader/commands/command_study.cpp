@@ -1,11 +1,15 @@
 // pathmark study: do the checks accept what is right and find what is wrong, under many seeds?
 #include "commands/commands.h"
+#include "diagnosis/catalogue.h"
+#include "film/atomic_file.h"
 #include "host/build_config.h"
 #include "host/exit_code.h"
 #include "host/interrupt.h"
 #include "host/options.h"
 #include "host/progress_bar.h"
 #include "host/session.h"
+#include "study/diagnosis_study.h"
+#include "study/kill_table.h"
 #include "study/study.h"
 #include "study/study_report.h"
 #include "worker/contract.h"
@@ -32,12 +36,17 @@ struct StudyArguments {
   int seeds = 20;
   unsigned threads = 0;
   bool images = false;
-  bool functionOnly = false;
+  bool catalogue = false;
+  bool diagnosis = false;
+  std::string handout;
   std::string log = (fs::path(build::kBuildFolder) / "study/records.jsonl").string();
 };
 
-// Errors of half a per cent or one: the smallest that the checks promise to find.
+// Small errors: about twice the smallest that the checks promise to find.
 constexpr const char* kSlight = "slight";
+
+// Files that are tried on the diagnosis: with a mistake and a difference, and with two mistakes.
+constexpr std::size_t kMostFiles = 120;
 
 bool isSlight(const Variant& variant) { return variant.name.find("_slight_") != std::string::npos; }
 
@@ -63,8 +72,7 @@ std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
     if (!wanted) continue;
     if (arguments.images && variant.wrong) continue;
     subjects.push_back(study::variantSubject(variant, arguments.images, scratch));
-    if (arguments.functionOnly && variant.wrong)
-      subjects.back().selection.only = sectionOf(variant.function);
+    if (variant.wrong) subjects.back().selection.only = sectionOf(variant.function);
   }
   for (const std::string& word : arguments.what)
     if (std::find(known.begin(), known.end(), word) == known.end())
@@ -76,10 +84,14 @@ std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
   return subjects;
 }
 
-int runStudyCommand(const StudyArguments& arguments) {
-  const std::vector<study::StudySubject> subjects = subjectsOf(arguments);
-  study::StudyLog log(arguments.log);
+unsigned threadsOf(const StudyArguments& arguments) {
   const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  return arguments.threads != 0 ? arguments.threads : processors;
+}
+
+std::vector<study::StudyRecord> runSubjects(const StudyArguments& arguments,
+                                            const std::vector<study::StudySubject>& subjects) {
+  study::StudyLog log(arguments.log);
   ProgressBar progress("study");
   const auto goOn = [&](const study::StudyProgress& p) {
     progress.show(
@@ -87,17 +99,75 @@ int runStudyCommand(const StudyArguments& arguments) {
         fmt::format("{} of {} runs, {:.0f} min left", p.done, p.all, p.secondsLeft / 60.0));
     return !interrupted();
   };
-  const std::vector<study::StudyRecord> records =
-      study::runStudy(subjects, arguments.seeds,
-                      arguments.threads != 0 ? arguments.threads : processors, log, goOn);
+  std::vector<study::StudyRecord> records =
+      study::runStudy(subjects, arguments.seeds, threadsOf(arguments), log, goOn);
   progress.clear();
-  const study::StudyReport report = study::reportStudy(subjects, records);
+  return records;
+}
+
+// The mistakes that were asked for; with what they may be disguised as: all that is different.
+std::vector<Variant> forDiagnosis(const std::vector<study::StudySubject>& subjects) {
+  std::vector<Variant> variants = allVariants();
+  const auto asked = [&](const Variant& variant) {
+    return std::any_of(subjects.begin(), subjects.end(),
+                       [&](const study::StudySubject& s) { return s.name == variant.name; });
+  };
+  std::erase_if(variants, [&](const Variant& v) { return v.wrong && !asked(v); });
+  return variants;
+}
+
+study::StudyStep diagnosisStep(ProgressBar& progress) {
+  return [&progress](std::size_t done, std::size_t all) {
+    progress.show(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(all, 1)),
+                  fmt::format("{} of {} files with mistakes are diagnosed", done, all));
+    return !interrupted();
+  };
+}
+
+int makeCatalogue(const StudyArguments& arguments) {
+  ProgressBar progress("catalogue");
+  const diagnosis::Catalogue made =
+      study::makeCatalogue(allVariants(), threadsOf(arguments), diagnosisStep(progress));
+  progress.clear();
+  if (interrupted()) return kInterrupted;
+  writeCatalogue(made, diagnosis::catalogueFile());
+  return kSuccess;
+}
+
+study::DiagnosisReport runDiagnosis(const StudyArguments& arguments,
+                                    const std::vector<study::StudySubject>& subjects) {
+  const diagnosis::Catalogue catalogue = diagnosis::readCatalogue(diagnosis::catalogueFile());
+  if (catalogue.stamp != study::catalogueStamp())
+    throw std::runtime_error(
+        "The catalogue of mistakes is older than the variants, the solutions or the probes; "
+        "./pathmark study --catalogue makes it anew.");
+  ProgressBar progress("diagnosis");
+  study::DiagnosisReport report = study::measureDiagnosis(
+      catalogue, forDiagnosis(subjects), kMostFiles, threadsOf(arguments),
+      fs::path(arguments.log).replace_extension(".named.jsonl"), diagnosisStep(progress));
+  progress.clear();
+  return report;
+}
+
+int runStudyCommand(const StudyArguments& arguments) {
+  if (arguments.catalogue) return makeCatalogue(arguments);
+  const std::vector<study::StudySubject> subjects = subjectsOf(arguments);
+  const std::vector<study::StudyRecord> records = runSubjects(arguments, subjects);
+  const bool diagnose = arguments.diagnosis || !arguments.handout.empty();
+  study::DiagnosisReport diagnosis;
+  if (diagnose && !interrupted()) diagnosis = runDiagnosis(arguments, subjects);
+  const std::vector<study::KillRow> rows = study::killTable(subjects, records, diagnosis);
+  const study::StudyReport report = study::reportStudy(subjects, records, rows);
   fmt::print("{}", report.text);
+  if (diagnose) fmt::print("\n{}", diagnosis.text());
   if (interrupted()) {
     fmt::print(stderr, "Interrupted; the same command goes on from here.\n");
     return kInterrupted;
   }
-  return report.asItMustBe ? kSuccess : kCourseworkFault;
+  if (!arguments.handout.empty())
+    writeFileAtomically(arguments.handout, study::asChapter(rows, subjects, records, diagnosis));
+  const bool good = report.asItMustBe && (!diagnose || diagnosis.asItMustBe());
+  return good ? kSuccess : kCourseworkFault;
 }
 
 }  // namespace
@@ -108,7 +178,7 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
       "study", "Try the checks on what is known to be right or wrong, under many seeds");
   command
       ->add_option("what", arguments->what,
-                   "solutions, correct, wrong, slight (errors of 1 % and less), or names of "
+                   "solutions, correct, wrong, slight (small errors), or names of "
                    "variants; all by default")
       ->type_name("SUBJECT");
   takesWholeNumber(command->add_option("--seeds", arguments->seeds, "Seeds for each (20)"), 1,
@@ -117,22 +187,30 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
                                        "Runs at the same time; one for each processor by default"),
                    1, 1024);
   command->add_flag("--images", arguments->images, "The checks of pictures, of what is right");
-  command->add_flag("--function-only", arguments->functionOnly,
-                    "Of what is wrong, only the checks of the function that has the mistake");
+  command->add_flag("--catalogue", arguments->catalogue,
+                    "Measure the known mistakes anew, for grader/diagnosis/catalogue.json");
+  command->add_flag("--diagnosis", arguments->diagnosis,
+                    "How often the right mistake is named, and how often a wrong one");
+  command
+      ->add_option("--handout", arguments->handout,
+                   "Write the chapter of known mistakes, with --diagnosis")
+      ->type_name("FILE");
   command
       ->add_option("--log", arguments->log,
                    "Where records are kept; what is there already is not run again")
       ->type_name("FILE");
   command->footer(
       "Examples:\n"
-      "  ./pathmark study                             (20 seeds of everything)\n"
+      "  ./pathmark study --diagnosis                 (20 seeds of everything, and the rates)\n"
+      "  ./pathmark study --handout handouts/mistakes.md\n"
+      "                                               (the same, as a chapter)\n"
       "  ./pathmark study solutions --seeds 1000      (go on with Ctrl-C and the same command)\n"
       "  ./pathmark study solutions --images --seeds 200\n"
       "  ./pathmark study wrong --seeds 1\n"
-      "  ./pathmark study slight --function-only --seeds 1000\n"
-      "                                               (how often errors of 1 % are found)\n\n"
-      "Exit code: 0 if all that is right passed and all that is wrong was found, 1 if not, 130 if "
-      "interrupted.");
+      "  ./pathmark study slight --seeds 1000         (how often small errors are found)\n"
+      "  ./pathmark study --catalogue                 (after a change of variants or probes)\n\n"
+      "Exit code: 0 if all that is right passed, all that is wrong was found, and the diagnosis is "
+      "as good as it must be; 1 if not, 130 if interrupted.");
   command->callback(
       [arguments, &action] { action = [arguments] { return runStudyCommand(*arguments); }; });
 }

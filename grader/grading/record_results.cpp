@@ -61,6 +61,9 @@ record::FunctionRecord functionRecord(const checks::FunctionResult& function, st
     const Verdict verdict = record.checks.back().verdict;
     if (worseThan(verdict, record.verdict)) record.verdict = verdict;
   }
+  record.mistake = function.diagnosis.mistake;
+  record.what = function.diagnosis.what;
+  record.evidence = function.diagnosis.evidence;
   return record;
 }
 
@@ -99,6 +102,7 @@ record::CheckRecord recordOf(const checks::CheckResult& result, std::uint64_t se
   record.got = finding.got;
   record.tolerance = finding.tolerance;
   record.cause = finding.cause;
+  record.evidence = finding.evidence;
   record.remark = finding.remark;
   for (const report::Field& field : report::fieldsOf(result))
     if (field.name == "read") record.read = field.value;

@@ -52,6 +52,7 @@ struct CheckRecord {
   Verdict verdict = Verdict::kOk;
   std::string where, expected, got, tolerance;  // empty where there is nothing to say
   std::string cause;                            // likely cause, or what blocks
+  std::string evidence;                         // for the cause, where it is a known mistake
   std::string remark;
   std::string read;    // handout and section
   std::string repeat;  // command, for those who have the coursework in student/

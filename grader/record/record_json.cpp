@@ -65,6 +65,7 @@ void visit(Visitor& v, T& c) requires std::same_as<std::remove_const_t<T>, Check
   v("got", c.got);
   v("tolerance", c.tolerance);
   v("cause", c.cause);
+  v("evidence", c.evidence);
   v("remark", c.remark);
   v("read", c.read);
   v("repeat", c.repeat);

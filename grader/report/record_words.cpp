@@ -87,6 +87,7 @@ std::vector<Field> fieldsOf(const CheckRecord& check) {
                             {"got", check.got},
                             {"tolerance", check.tolerance},
                             {blocked ? "blocked by" : "likely cause", check.cause},
+                            {"evidence", check.evidence},
                             {"note", check.remark},
                             {"read", check.read},
                             {"repeat", check.repeat}};

@@ -26,6 +26,7 @@ Json checkJson(const checks::CheckResult& result) {
   add("got", finding.got);
   add("tolerance", finding.tolerance);
   add("cause", finding.cause);
+  add("evidence", finding.evidence);
   add("remark", finding.remark);
   if (finding.shown > 0.0) json["shown"] = finding.shown;
   return json;
@@ -66,6 +67,11 @@ std::string toJson(const checks::CourseworkResults& results) {
                     {"status", statusName(f.status)},
                     {"checks", Json::array()}};
       for (const checks::CheckResult& r : f.checks) function["checks"].push_back(checkJson(r));
+      if (!f.diagnosis.mistake.empty())
+        function["diagnosis"] = {{"mistake", f.diagnosis.mistake},
+                                 {"what", f.diagnosis.what},
+                                 {"evidence", f.diagnosis.evidence},
+                                 {"read", f.diagnosis.read}};
       p["functions"].push_back(std::move(function));
     }
     json["parts"].push_back(std::move(p));

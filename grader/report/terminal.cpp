@@ -204,9 +204,13 @@ std::vector<Field> fieldsOf(const CheckResult& result) {
                                ? "handouts/README.md"
                                : fmt::format("{}, section {}", partOf(function), function.section);
   const std::string_view got = finding.status == Status::kBroken ? "broken" : "got";
-  std::vector<Field> fields{{"where", finding.where},  {"expected", finding.expected},
-                            {got, finding.got},        {"tolerance", finding.tolerance},
-                            {"likely", finding.cause}, {"read", read}};
+  std::vector<Field> fields{{"where", finding.where},
+                            {"expected", finding.expected},
+                            {got, finding.got},
+                            {"tolerance", finding.tolerance},
+                            {"likely", finding.cause},
+                            {"evidence", finding.evidence},
+                            {"read", read}};
   std::erase_if(fields, [](const Field& field) { return field.value.empty(); });
   return fields;
 }

@@ -24,15 +24,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-// Of the program that is running: another build of it may judge differently.
-const std::string& programHash() {
-  static const std::string hash = [] {
-    std::ifstream in("/proc/self/exe", std::ios::binary);
-    return contentHash(std::string(std::istreambuf_iterator<char>(in), {}));
-  }();
-  return hash;
-}
-
 // What a record depends on besides the seed.
 std::string keyOf(const StudySubject& subject) {
   std::string text = programHash() + subject.name + (subject.selection.images ? " images " : " ") +
@@ -48,14 +39,33 @@ Json toJson(const std::string& key, const StudyRecord& record) {
           {"failed", record.failed},
           {"undecided", record.undecided},
           {"cause", record.cause},
+          {"calls", record.calls},
+          {"checkSeconds", record.checkSeconds},
+          {"distance", record.distance},
+          {"farthest", record.farthest},
           {"statistics", record.statistics},
           {"seconds", record.seconds}};
+}
+
+// What fails a check without statistics is as far off as can be.
+bool isFarther(const checks::CheckResult& result, const StudyRecord& record) {
+  if (record.farthest.empty()) return true;
+  if (record.distance == 0.0) return false;
+  return result.check->delta == 0.0 || result.finding.distance > record.distance;
 }
 
 void note(const checks::CheckResult& result, StudyRecord& record) {
   const checks::Status status = result.finding.status;
   const bool failed = status == checks::Status::kFail || status == checks::Status::kBroken;
-  if (failed && record.failed.empty()) record.cause = result.finding.cause;
+  if (failed && record.failed.empty()) {
+    record.cause = result.finding.cause;
+    record.calls = result.finding.calls;
+    record.checkSeconds = result.seconds;
+  }
+  if (failed && isFarther(result, record)) {
+    record.distance = result.check->delta > 0.0 ? result.finding.distance : 0.0;
+    record.farthest = idOf(*result.check);
+  }
   if (failed) record.failed.push_back(idOf(*result.check));
   if (status == checks::Status::kUndecided) record.undecided.push_back(idOf(*result.check));
 }
@@ -64,9 +74,17 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
   checks::RunOptions options;
   options.seed = seed;
   options.threads = 1;
+  // How far off a mistake is takes all checks; that it is found under other seeds too, only those
+  // up to the first that fails.
+  options.untilWrong = seed != 1 && subject.variant && subject.variant->wrong;
+  options.diagnose = false;
   const checks::CourseworkResults results =
       checks::runChecks(subject.build, subject.selection, options);
-  StudyRecord record{subject.name, seed, {}, {}, {}, results.statistics, results.seconds};
+  StudyRecord record;
+  record.subject = subject.name;
+  record.seed = seed;
+  record.statistics = results.statistics;
+  record.seconds = results.seconds;
   for (const checks::PartResult& part : results.parts) {
     if (!part.failure.empty()) record.failed.push_back(fmt::format("part {}", part.part.part));
     for (const checks::FunctionResult& f : part.functions)
@@ -78,15 +96,33 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
 
 }  // namespace
 
+const std::string& programHash() {
+  static const std::string hash = [] {
+    std::ifstream in("/proc/self/exe", std::ios::binary);
+    return contentHash(std::string(std::istreambuf_iterator<char>(in), {}));
+  }();
+  return hash;
+}
+
 StudyLog::StudyLog(fs::path file) : file_(std::move(file)) {
   fs::create_directories(file_.parent_path());
   std::ifstream in(file_);
   for (std::string line; std::getline(in, line);) {
     // The last line may have been cut off when a study was killed.
     const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || !json.contains("seconds")) continue;
-    StudyRecord record{json["subject"], json["seed"],       json["failed"], json["undecided"],
-                       json["cause"],   json["statistics"], json["seconds"]};
+    if (!json.is_object() || !json.contains("farthest")) continue;
+    StudyRecord record;
+    record.subject = json["subject"];
+    record.seed = json["seed"];
+    record.failed = json["failed"];
+    record.undecided = json["undecided"];
+    record.cause = json["cause"];
+    record.calls = json["calls"];
+    record.checkSeconds = json["checkSeconds"];
+    record.distance = json["distance"];
+    record.farthest = json["farthest"];
+    record.statistics = json["statistics"];
+    record.seconds = json["seconds"];
     records_[{json["key"], record.seed}] = std::move(record);
   }
 }

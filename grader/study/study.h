@@ -33,10 +33,19 @@ struct StudyRecord {
   std::uint64_t seed = 0;
   std::vector<std::string> failed;  // ids of checks that failed or broke, in their order
   std::vector<std::string> undecided;
-  std::string cause;  // that the first of them gives
+  std::string cause;          // that the first of them gives
+  std::uint64_t calls = 0;    // that the first of them made
+  double checkSeconds = 0.0;  // and took
+  // The largest distance from what is right, in the smallest errors that a check finds, and the
+  // check; 0 where one without statistics failed.
+  double distance = 0.0;
+  std::string farthest;
   std::int64_t statistics = 0;
   double seconds = 0.0;
 };
+
+// Of the program that is running: another build of it may judge differently.
+const std::string& programHash();
 
 class StudyLog {
  public:

@@ -1,6 +1,7 @@
 // What a study has shown, as tables.
 #pragma once
 
+#include "study/kill_table.h"
 #include "study/study.h"
 
 #include <string>
@@ -14,6 +15,6 @@ struct StudyReport {
 };
 
 StudyReport reportStudy(const std::vector<StudySubject>& subjects,
-                        const std::vector<StudyRecord>& records);
+                        const std::vector<StudyRecord>& records, const std::vector<KillRow>& wrong);
 
 }  // namespace pathmark::study

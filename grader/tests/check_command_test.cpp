@@ -60,7 +60,8 @@ TEST(CheckCommand, SaysOfAFailureWhereWhatWhyAndHowToRepeatIt) {
   expectHas(result, "where      wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
   expectHas(result, "expected   f[0] = 0.286479");
   expectHas(result, "got        f[0] = 0.9");
-  expectHas(result, "likely     the factor 1/pi is missing");
+  expectHas(result, "likely     f = Kd, the 1/pi is forgotten");
+  expectHas(result, "evidence   f[0] where wo . n = 0.9 and wi . n = 0.7 is 0.8 (right: 0.2546;");
   expectHas(result, "read       handouts/part3_lambertian.md, section 3.1");
   const std::string repeat = "./pathmark check 3.1/value --seed 1 --with " + copy.with();
   expectHas(result, repeat);
@@ -157,7 +158,8 @@ TEST(CheckCommand, WritesAllResultsAsJson) {
   const nlohmann::json& function = json["parts"][0]["functions"][0];
   EXPECT_EQ(function["name"], "lambertianBRDF::brdf");
   EXPECT_EQ(function["status"], "fail");
-  EXPECT_EQ(function["checks"][0]["cause"], "the factor 1/pi is missing");
+  EXPECT_EQ(function["checks"][0]["cause"], "f = Kd, the 1/pi is forgotten");
+  EXPECT_EQ(function["diagnosis"]["mistake"], "part3_pi_forgotten");
 }
 
 TEST(CheckCommand, WatchChecksAgainWhatIsSaved) {
@@ -177,7 +179,7 @@ TEST(CheckCommand, WatchChecksAgainWhatIsSaved) {
                             kRoot, log);
   ASSERT_TRUE(right(1)) << textOf(log);
   copy.replace(kLambertian, "Kd * kInvPi", "Kd");
-  ASSERT_TRUE(waitFor([&] { return says("likely     the factor 1/pi is missing", 1); }));
+  ASSERT_TRUE(waitFor([&] { return says("likely     f = Kd, the 1/pi is forgotten", 1); }));
   copy.replace(kLambertian, "? Kd :", "? Kd * kInvPi :");
   ASSERT_TRUE(right(2)) << textOf(log);
   program.signal(SIGINT);

@@ -110,7 +110,8 @@ TEST_F(PreviewCheckerOfOnePart, TellsOfAMistakeWhatTheCommandTells) {
   EXPECT_EQ(fieldOf(line, "where"), "wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
   EXPECT_EQ(fieldOf(line, "got"), "f[0] = 0.9");
   EXPECT_NE(line.found.find("\ngot f[0] = 0.9\n"), std::string::npos) << line.found;
-  EXPECT_EQ(fieldOf(line, "likely"), "the factor 1/pi is missing");
+  EXPECT_EQ(fieldOf(line, "likely"), "f = Kd, the 1/pi is forgotten");
+  EXPECT_NE(fieldOf(line, "evidence").find("with this mistake: 0.8"), std::string::npos);
   EXPECT_EQ(fieldOf(line, "read"), "handouts/part3_lambertian.md, section 3.1");
   EXPECT_EQ(line.command, "./pathmark check 3.1/value --seed 1 --with " + copy.with());
   EXPECT_EQ(report->find(F::kLambertianPdf)->outcome, Outcome::kPass);

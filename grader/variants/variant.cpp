@@ -130,7 +130,11 @@ void applyVariants(std::span<const Variant> variants, const fs::path& folder) {
   for (const PartContract& part : parts())
     fs::copy_file(kProjectFolder / "solutions" / part.file, folder / part.file,
                   fs::copy_options::overwrite_existing);
-  for (const Variant& variant : variants) applyPatch(variant.patch, folder);
+  for (const Variant& variant : variants) addVariant(variant, folder);
+}
+
+void addVariant(const Variant& variant, const fs::path& folder) {
+  applyPatch(variant.patch, folder);
 }
 
 }  // namespace pathmark

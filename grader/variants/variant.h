@@ -5,6 +5,7 @@
 //   allVariants    all of them
 //   applyVariant   the solutions with a variant's change
 //   applyVariants  the solutions with the changes of several
+//   addVariant     one more change, to files that may have been changed before
 //
 // A patch is a unified diff of one file of solutions/, after a head and an empty line:
 //
@@ -43,5 +44,8 @@ std::vector<Variant> allVariants();
 // std::system_error if the program `patch` cannot be run.
 void applyVariant(const Variant& variant, const std::filesystem::path& folder);
 void applyVariants(std::span<const Variant> variants, const std::filesystem::path& folder);
+
+// Applies the patch to what is in `folder`, and throws as applyVariant does.
+void addVariant(const Variant& variant, const std::filesystem::path& folder);
 
 }  // namespace pathmark

@@ -1,0 +1,29 @@
+// Means of estimators, as features.
+#pragma once
+
+#include "checks/path_estimates.h"
+#include "diagnosis/probes.h"
+#include "diagnosis/signature.h"
+
+#include <string>
+#include <vector>
+
+namespace pathmark::diagnosis {
+
+struct NamedRay {
+  checks::PathRay ray;
+  std::string what;
+};
+
+// Mean radiance over `scale`, of the channels that are listed.
+struct PathQuestion {
+  std::vector<NamedRay> rays;
+  std::vector<int> channels;
+  Colour scale{1.0f};
+  std::uint32_t paths = 512;  // of each of the replicates
+};
+
+// In the scene that the worker has.
+void addPathMeans(const ProbeRun& run, const PathQuestion& question, Signature& signature);
+
+}  // namespace pathmark::diagnosis

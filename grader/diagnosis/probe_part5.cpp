@@ -1,0 +1,97 @@
+// The path tracer, among the stand-ins that the checks use: see checks/part5_checks.cpp.
+#include "checks/hollow.h"
+#include "checks/matt_room.h"
+#include "diagnosis/path_means.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace pathmark::diagnosis {
+
+namespace {
+
+using namespace checks;
+
+// Over the emission.
+PathQuestion furnace(const ProbeRun& run, const Colour& kd, const Colour& emission,
+                     const std::vector<int>& channels, const std::vector<int>& bounces,
+                     const std::vector<double>& cosines, const char* words) {
+  Random random(51);
+  const Hollow hollow(random);
+  run.worker.loadScene(furnaceIn(hollow, kd, emission));
+  PathQuestion question{{}, channels, emission, 512};
+  for (const int b : bounces)
+    for (const double cosine : cosines)
+      question.rays.push_back(
+          {{hollow.rayAt(cosine, random), b},
+           fmt::format("radiance over emission, {}, maxBounces() = {}, cos(wo) = {}", words, b,
+                       cosine)});
+  return question;
+}
+
+void probeFurnaces(const ProbeRun& run, Signature& signature) {
+  addPathMeans(run,
+               furnace(run, {0.3f, 0.2f, 0.1f}, {1.0f, 0.5f, 2.0f}, {0, 2}, {1, 2, 3, 8},
+                       {0.9, 0.3}, "in a furnace with a roulette of 0.3"),
+               signature);
+  // The stand-in for the roulette lets all paths live here.
+  PathQuestion lasting = furnace(run, {0.5f, 0.0f, 0.75f}, {1.0f, 0.5f, 2.0f}, {0, 1, 2}, {1, 2, 3},
+                                 {0.6}, "in a furnace where no path ends early");
+  lasting.paths = 2048;  // the weight of a bounce changes little
+  addPathMeans(run, lasting, signature);
+  addPathMeans(run,
+               furnace(run, {0.4f, 0.3f, 0.0f}, {1.0f, 0.5f, 2.0f}, {0, 1, 2}, {2, 3}, {0.8},
+                       "in a furnace whose roulette is told by its depth"),
+               signature);
+  addPathMeans(run,
+               furnace(run, {0.75f, 0.0f, 0.25f}, {0.5f, 8.0f, 40.0f}, {0, 2}, {1, 4}, {0.5},
+                       "in a bright furnace"),
+               signature);
+}
+
+// Between two spheres that emit and reflect alike: a path that goes on from the wrong place or in
+// the wrong direction sees another one.
+void probeRooms(const ProbeRun& run, Signature& signature) {
+  const MattRoom room(52);
+  run.worker.loadScene(room.scene().flat());
+  PathQuestion question{{}, {0, 2}, Colour(1.0f), 512};
+  for (int wall = 0; wall < MattRoom::kWalls; ++wall) {
+    const glm::dvec3 eye(1.4, 1.2, 1.3), target = room.point(wall, 0.4, 0.6);
+    for (const int bounces : {1, 2})
+      question.rays.push_back(
+          {{{Point(eye), Vector(glm::normalize(target - eye))}, bounces},
+           fmt::format("radiance from wall {} of a room, maxBounces() = {}", wall + 1, bounces)});
+  }
+  addPathMeans(run, question, signature);
+}
+
+void probeEmission(const ProbeRun& run, Signature& signature) {
+  const Colour emission(3, 2, 1);
+  SceneBuilder builder;
+  builder.parallelogram({.kd = Colour(0.5f), .emission = emission}, {-1, -1, 0}, {2, 0, 0},
+                        {0, 2, 0});
+  run.worker.loadScene(builder.flat());
+  PathQuestion question{{}, {0}, emission, 1};
+  const Ray front{{0.3f, 0.2f, 2}, {0, 0, -1}}, back{{0.3f, 0.2f, -2}, {0, 0, 1}},
+      past{{5, 0, 2}, {0, 0, -1}};
+  for (const int bounces : {0, 8}) {
+    const std::string where = fmt::format(" over emission, maxBounces() = {}", bounces);
+    question.rays.push_back({{front, bounces}, "radiance of a lamp that is seen" + where});
+    question.rays.push_back({{back, bounces}, "radiance of a lamp's back" + where});
+    question.rays.push_back({{past, bounces}, "radiance where a ray meets nothing" + where});
+  }
+  addPathMeans(run, question, signature);
+}
+
+}  // namespace
+
+Signature probePart5(const ProbeRun& run) {
+  Signature signature;
+  probeEmission(run, signature);
+  probeFurnaces(run, signature);
+  probeRooms(run, signature);
+  return signature;
+}
+
+}  // namespace pathmark::diagnosis

@@ -1,0 +1,172 @@
+#include "study/kill_table.h"
+
+#include "worker/contract.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pathmark::study {
+
+namespace {
+
+std::string sectionOf(const std::string& function) {
+  for (const FunctionContract& f : contract())
+    if (f.name == function) return std::string(f.section);
+  return {};
+}
+
+std::string mostOften(const std::map<std::string, int>& counts) {
+  std::string best;
+  int most = 0;
+  for (const auto& [id, count] : counts)
+    if (count > most) {
+      most = count;
+      best = id;
+    }
+  return best;
+}
+
+void note(const StudyRecord& record, const std::string& section, KillRow& row) {
+  ++row.seeds;
+  row.seconds += record.checkSeconds;
+  row.calls = std::max(row.calls, record.calls);
+  if (record.failed.empty()) return;
+  const std::string& first = record.failed.front();
+  ++row.found;
+  ++row.checks[first];
+  if (!first.starts_with(section + "/")) ++row.elsewhere;
+  if (record.seed == 1) {
+    row.distance = record.distance;
+    row.farthest = record.farthest;
+  }
+}
+
+// "right", or "right 3 of 4" where it is also disguised.
+std::string namedWords(const KillRow& row) {
+  int all = 0, right = 0, wrong = 0;
+  for (const NamedCase& c : row.named) {
+    if (c.known == Named::kUnseen) continue;
+    ++all;
+    right += c.known == Named::kRight ? 1 : 0;
+    wrong += c.known == Named::kWrong ? 1 : 0;
+  }
+  if (all == 0) return "-";
+  std::string words = right == all ? fmt::format("right, {0} of {0}", all)
+                                   : fmt::format("right, {} of {}", right, all);
+  if (wrong > 0) words += fmt::format("; wrong, {}", wrong);
+  return words;
+}
+
+std::string checkWords(const KillRow& row) {
+  std::string words = mostOften(row.checks);
+  if (row.checks.size() > 1) words += fmt::format(" ({} of {})", row.checks.at(words), row.found);
+  return words;
+}
+
+std::string distanceWords(const KillRow& row) {
+  if (row.distance == 0.0) return "exact";
+  const std::string words = row.distance < 99.5 ? fmt::format("{:.1f}", row.distance)
+                                                : fmt::format("{:.0f}", row.distance);
+  return row.checks.contains(row.farthest) ? words : fmt::format("{} ({})", words, row.farthest);
+}
+
+}  // namespace
+
+// A check that promises to find an error of delta is tried on twice that: nearer, it would also
+// show where its promise just holds.
+bool KillRow::asItMustBe() const {
+  const bool clear = distance == 0.0 || distance >= 2.0;
+  return seeds > 0 && found == seeds && elsewhere == 0 && clear;
+}
+
+std::vector<KillRow> killTable(const std::vector<StudySubject>& subjects,
+                               const std::vector<StudyRecord>& records,
+                               const DiagnosisReport& diagnosis) {
+  std::vector<KillRow> rows;
+  for (const StudySubject& subject : subjects) {
+    if (!subject.variant || !subject.variant->wrong) continue;
+    KillRow row;
+    row.variant = *subject.variant;
+    const std::string section = sectionOf(row.variant.function);
+    for (const StudyRecord& record : records)
+      if (record.subject == subject.name) note(record, section, row);
+    if (row.seeds == 0) continue;
+    row.seconds /= row.seeds;
+    for (const auto* cases : {&diagnosis.single, &diagnosis.disguised})
+      for (const NamedCase& c : *cases)
+        if (c.mistake == subject.name) row.named.push_back(c);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string asText(const std::vector<KillRow>& rows) {
+  std::string text = fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8} {:>20}  {}\n", "mistake", "found",
+                                 "first by", "calls", "ms", "deltas", "diagnosis");
+  for (const KillRow& row : rows)
+    text += fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8.1f} {:>20}  {}{}\n", row.variant.name,
+                        fmt::format("{}/{}", row.found, row.seeds), checkWords(row), row.calls,
+                        1000.0 * row.seconds, distanceWords(row), namedWords(row),
+                        row.asItMustBe() ? "" : "   <-- must not be");
+  return text;
+}
+
+std::string asChapter(const std::vector<KillRow>& rows, const std::vector<StudySubject>& subjects,
+                      const std::vector<StudyRecord>& records, const DiagnosisReport& diagnosis) {
+  int seeds = 0;
+  for (const KillRow& row : rows) seeds = std::max(seeds, row.seeds);
+  std::string text = fmt::format(
+      "# Known mistakes\n\n"
+      "For instructors; not part of what students receive. `./pathmark study --handout "
+      "handouts/mistakes.md` makes\nthis chapter anew; its times are those of the machine on "
+      "which that was done last.\n\n"
+      "`grader/variants/wrong/` has {} mistakes, each a small patch against the solutions. Under "
+      "each of {} seeds, each\nof them fails a check of the function that it is in. No other part "
+      "can fail with it: a part is checked in a\nprogram that has that part alone and stand-ins "
+      "for the others, so the programs of the other parts are\nthose of the solutions, byte for "
+      "byte, which pass.\n\n"
+      "* **first by**: the check that fails first, in the order in which they are run.\n"
+      "* **calls**, **ms**: of that check: of the coursework's functions, and its time.\n"
+      "* **deltas**: how far from right the mistake is, in the smallest errors that a check "
+      "promises to find, under the\n  first seed; in the check that finds it farthest, which is "
+      "named where it is not the first. *exact*: of a\n  check without statistics.\n"
+      "* **named**: how often the diagnosis named the mistake: by itself with random numbers that "
+      "are not those of\n  the catalogue, and in files that also differ from the solutions where "
+      "they may.\n",
+      rows.size(), seeds);
+  for (const PartContract& part : parts()) {
+    bool any = false;
+    for (const KillRow& row : rows) {
+      if (row.variant.part != part.part) continue;
+      if (!any)
+        text += fmt::format(
+            "\n## Part {}: {}\n\n| mistake | function | first by | calls | ms | deltas | named "
+            "|\n|---|---|---|---:|---:|---:|---|\n",
+            part.part, part.title);
+      any = true;
+      text += fmt::format("| `{}`: {} | `{}` | `{}` | {} | {:.1f} | {} | {} |\n", row.variant.name,
+                          row.variant.what, row.variant.function, mostOften(row.checks), row.calls,
+                          1000.0 * row.seconds, distanceWords(row), namedWords(row));
+    }
+  }
+  text += "\n## What is right, but different\n\n| different | seeds | failed |\n|---|---:|---:|\n";
+  for (const StudySubject& subject : subjects) {
+    if (subject.variant && subject.variant->wrong) continue;
+    int all = 0, failed = 0;
+    for (const StudyRecord& record : records) {
+      if (record.subject != subject.name) continue;
+      ++all;
+      failed += record.failed.empty() ? 0 : 1;
+    }
+    text +=
+        fmt::format("| {} | {} | {} |\n",
+                    subject.variant ? fmt::format("`{}`: {}", subject.name, subject.variant->what)
+                                    : "the solutions",
+                    all, failed);
+  }
+  return text + "\n## How good the diagnosis is\n\n" + diagnosis.chapter();
+}
+
+}  // namespace pathmark::study
