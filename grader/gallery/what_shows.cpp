@@ -130,8 +130,7 @@ std::string lookFor(const Showing& s) {
   if (!noise.empty()) return "Right in the mean, and noisier. " + noise;
   if (s.bias.low > 0.0)
     return fmt::format(
-        "Off by {:.1f} %, less than the eye sees: the picture alone does not show "
-        "this.",
+        "Off by about {:.1f} %, hardly more than its noise: the picture alone does not show this.",
         100.0 * s.bias.value);
   return "The picture alone does not show this.";
 }
