@@ -18,7 +18,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
+#include <future>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -56,23 +58,24 @@ std::string sectionOf(const std::string& function) {
   throw std::logic_error(function + " is no function of the contract");
 }
 
-std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
+unsigned threadsOf(const StudyArguments& arguments) {
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  return arguments.threads != 0 ? arguments.threads : processors;
+}
+
+std::vector<Variant> variantsOf(const StudyArguments& arguments) {
   const auto asked = [&](const std::string& name) {
     return arguments.what.empty() ||
            std::find(arguments.what.begin(), arguments.what.end(), name) != arguments.what.end();
   };
-  const fs::path scratch = fs::path(build::kBuildFolder) / "study/variants";
-  std::vector<study::StudySubject> subjects;
-  if (asked("solutions")) subjects.push_back(study::solutionsSubject(arguments.images));
+  std::vector<Variant> wanted;
   std::vector<std::string> known{"solutions", "correct", "wrong", kSlight};
   for (const Variant& variant : allVariants()) {
     known.push_back(variant.name);
-    const bool wanted = asked(variant.wrong ? "wrong" : "correct") || asked(variant.name) ||
-                        (isSlight(variant) && asked(kSlight));
-    if (!wanted) continue;
     if (arguments.images && variant.wrong) continue;
-    subjects.push_back(study::variantSubject(variant, arguments.images, scratch));
-    if (variant.wrong) subjects.back().selection.only = sectionOf(variant.function);
+    if (asked(variant.wrong ? "wrong" : "correct") || asked(variant.name) ||
+        (isSlight(variant) && asked(kSlight)))
+      wanted.push_back(variant);
   }
   for (const std::string& word : arguments.what)
     if (std::find(known.begin(), known.end(), word) == known.end())
@@ -81,12 +84,32 @@ std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
                       "name of a patch in "
                       "grader/variants/ without .patch.",
                       word));
-  return subjects;
+  return wanted;
 }
 
-unsigned threadsOf(const StudyArguments& arguments) {
-  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-  return arguments.threads != 0 ? arguments.threads : processors;
+// Each variant is compiled, on several threads.
+std::vector<study::StudySubject> subjectsOf(const StudyArguments& arguments) {
+  const fs::path scratch = fs::path(build::kBuildFolder) / "study/variants";
+  const std::vector<Variant> variants = variantsOf(arguments);
+  const study::StudySubject solutions = study::solutionsSubject(arguments.images);
+  std::vector<study::StudySubject> subjects(variants.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = 0; (i = next++) < variants.size() && !interrupted();) {
+      subjects[i] = study::variantSubject(variants[i], arguments.images, scratch);
+      if (variants[i].wrong) subjects[i].selection.only = sectionOf(variants[i].function);
+    }
+  };
+  std::vector<std::future<void>> others;
+  for (unsigned k = 1; k < threadsOf(arguments); ++k)
+    others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
+  if (interrupted()) return {};
+  if (arguments.what.empty() ||
+      std::find(arguments.what.begin(), arguments.what.end(), "solutions") != arguments.what.end())
+    subjects.insert(subjects.begin(), solutions);
+  return subjects;
 }
 
 std::vector<study::StudyRecord> runSubjects(const StudyArguments& arguments,
