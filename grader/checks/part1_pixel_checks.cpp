@@ -3,6 +3,7 @@
 #include "checks/film_point.h"
 #include "checks/means.h"
 #include "checks/part1_checks.h"
+#include "checks/pixel_question.h"
 #include "checks/points.h"
 #include "checks/strata_matching.h"
 #include "worker/pixel_recorder.h"
@@ -21,52 +22,6 @@ using F = CourseworkFunction;
 
 constexpr std::array kRayCounts{1, 4, 9, 16, 64, 2, 3, 5, 8, 17, 24, 63, 255, 256, 1000};
 
-int strataPerSide(int rays) {
-  int n = 0;
-  while ((n + 1) * (n + 1) <= rays) ++n;
-  return n;
-}
-
-// A pixel of a camera, and with which random numbers it is asked for.
-struct PixelQuestion {
-  SimpleCamera camera;
-  int i, j, rays;
-  RecordedNumbers numbers = RecordedNumbers::kRandom;
-  float constant = 0.0f;
-  std::uint64_t seed = 0;
-
-  RecordedPixel ask(CheckRun& run) const {
-    RecordPixelRequest request;
-    float* to = request.camera;
-    for (const vec3& v : {camera.eye(), camera.topLeft(), camera.pixelRight(), camera.pixelDown()})
-      for (int c = 0; c < 3; ++c) *to++ = v[c];
-    request.width = camera.width();
-    request.height = camera.height();
-    request.i = i;
-    request.j = j;
-    request.rays = rays;
-    request.numbers = numbers;
-    request.constant = constant;
-    request.seed = seed;
-    return run.worker.recordPixel(request);
-  }
-
-  std::string text() const {
-    const std::string source = numbers == RecordedNumbers::kRandom
-                                   ? std::string("random numbers")
-                                   : fmt::format("all random numbers {:.8g}", constant);
-    return fmt::format("column i = {}, row j = {}, {} {}, {}", i, j, rays,
-                       rays == 1 ? "ray" : "rays", source);
-  }
-
-  // In pixels, from the pixel's top left corner.
-  glm::dvec2 placeOf(const RecordedRay& ray) const {
-    const Vector d(ray.direction[0], ray.direction[1], ray.direction[2]);
-    return filmPoint(camera, d) - glm::dvec2(i, j);
-  }
-  double tolerance() const { return filmTolerance(camera, i + 1, j + 1); }
-};
-
 bool isInPixel(const glm::dvec2& place, double tolerance) {
   return place.x >= -tolerance && place.y >= -tolerance && place.x <= 1.0 + tolerance &&
          place.y <= 1.0 + tolerance;
@@ -84,8 +39,8 @@ Finding pixelsAreRepeatable(CheckRun& run) {
   for (std::size_t camera = 0; camera < filmCameras().size(); ++camera)
     for (const int rays : {1, 4, 17}) questions.push_back(somePixel(camera, rays, run.seed));
   std::vector<RecordedPixel> first, second;
-  for (const PixelQuestion& q : questions) first.push_back(q.ask(run));
-  for (std::size_t k = questions.size(); k-- > 0;) second.push_back(questions[k].ask(run));
+  for (const PixelQuestion& q : questions) first.push_back(q.ask(run.worker));
+  for (std::size_t k = questions.size(); k-- > 0;) second.push_back(questions[k].ask(run.worker));
   std::reverse(second.begin(), second.end());
   Exact exact;
   exact.count(first.size() + second.size());
@@ -154,7 +109,7 @@ Finding raysAreStartedInOrder(CheckRun& run) {
   std::string cause;
   for (const int rays : kRayCounts) {
     const PixelQuestion question = somePixel(0, rays, run.seed);
-    const RecordedPixel pixel = question.ask(run);
+    const RecordedPixel pixel = question.ask(run.worker);
     exact.count(1);
     exact.holds(
         pixel.counts.traced == static_cast<std::uint32_t>(rays),
@@ -223,7 +178,7 @@ Finding strataAreHit(CheckRun& run) {
   Exact exact{"i and j are swapped: i is the column, j is the row"};
   std::string cause;
   for (const PixelQuestion& question : strataQuestions(run.seed)) {
-    const RecordedPixel pixel = question.ask(run);
+    const RecordedPixel pixel = question.ask(run.worker);
     exact.count(1);
     const double tolerance = question.tolerance();
     const glm::dvec2 swap(question.j - question.i, question.i - question.j);
@@ -279,7 +234,7 @@ Finding meanIsOfAllRays(CheckRun& run) {
               "the colour is that of the last ray"};
   for (const int rays : kRayCounts) {
     const PixelQuestion question = somePixel(0, rays, run.seed);
-    const RecordedPixel pixel = question.ask(run);
+    const RecordedPixel pixel = question.ask(run.worker);
     exact.count(1);
     const int strata = strataPerSide(rays) * strataPerSide(rays);
     glm::dvec3 sum(0.0), ofStrata(0.0), clamped(0.0);
@@ -354,7 +309,7 @@ Finding raysAreSpreadEvenly(CheckRun& run) {
         const PixelQuestion question = somePixel(
             1, kRays,
             run.seed + std::uint64_t{first + r} * kPixels + static_cast<std::uint64_t>(pixel));
-        const RecordedPixel recorded = question.ask(run);
+        const RecordedPixel recorded = question.ask(run.worker);
         ++calls;
         const double share =
             1.0 / (kPixels * std::max<double>(1.0, static_cast<double>(recorded.rays.size())));

@@ -4,6 +4,7 @@
 #include "checks/exact.h"
 #include "checks/irradiance.h"
 #include "checks/part2_checks.h"
+#include "checks/plain_light.h"
 #include "checks/random_rooms.h"
 
 #include <fmt/format.h>
@@ -19,29 +20,6 @@ using F = CourseworkFunction;
 
 constexpr double kPiD = std::numbers::pi;
 
-const Colour kEmission(3.0f, 2.0f, 0.5f);
-const Receiver kBelow{{0.3f, 0, 0.2f}, {0, 1, 0}, {0.6f, 0.8f, 0}};
-
-// Lights at height 2 that look down.
-RoomLight plainLight(LightShape shape) {
-  RoomLight light{.emission = kEmission};
-  switch (shape) {
-    case LightShape::kTriangle:
-      light.vertices = {{0, 2, 0}, {2, 2, 0}, {0, 2, 3}};
-      break;
-    case LightShape::kParallelogram:
-      light.vertices = {{-1, 2, -1}, {1, 2, -1}, {1, 2, 0.5f}, {-1, 2, 0.5f}};
-      break;
-    case LightShape::kPolygon:
-      light.vertices = {{-1, 2, -1}, {2, 2, -1}, {1, 2, 1}, {-1, 2, 0.5f}};
-      break;
-    case LightShape::kSphere:
-      light.centre = {0, 2, 0};
-      light.radius = 0.8f;
-  }
-  return light;
-}
-
 // By closed forms that need no light to be wholly above the horizon, with the BRDF Kd/pi.
 DirectCase diffuseCase(const LitRoom& room, double irradiance, std::uint32_t rays = 128) {
   const glm::dvec3 colour = glm::dvec3(kReceiverKd) * glm::dvec3(room.lights[0].emission);
@@ -52,7 +30,7 @@ template <LightShape kShape>
 Finding polygonLights(CheckRun& run) {
   // What chooses the triangle of a polygon is no smooth function of its point.
   constexpr std::uint32_t kRays = kShape == LightShape::kPolygon ? 256 : 128;
-  LitRoom plain{{plainLight(kShape)}, {}, kBelow};
+  LitRoom plain{{plainLight(kShape)}, {}, kBelowPlainLight};
   std::vector<DirectCase> cases{caseOf(plain, kRays)};
   plain.receiver.lopsided = true;
   cases.push_back(caseOf(plain, kRays));
@@ -79,7 +57,7 @@ Finding lightsAtTheHorizon(CheckRun& run) {
 
 Finding sphereLights(CheckRun& run) {
   constexpr std::uint32_t kRays = 256;  // half of the points by area are on the far side
-  LitRoom plain{{plainLight(LightShape::kSphere)}, {}, kBelow};
+  LitRoom plain{{plainLight(LightShape::kSphere)}, {}, kBelowPlainLight};
   std::vector<DirectCase> cases{caseOf(plain, kRays)};
   plain.receiver.lopsided = true;
   cases.push_back(caseOf(plain, kRays));
@@ -107,7 +85,8 @@ Finding inwardSpheres(CheckRun& run) {
   std::vector<DirectCase> cases;
   Random random(run.seed);
   for (const double share : {0.0, 0.3, 0.5}) {
-    RoomLight light{.centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kEmission};
+    RoomLight light{
+        .centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kPlainEmission};
     Receiver receiver;
     receiver.p = light.centre + static_cast<float>(2.0 * share) * random.direction();
     receiver.n = share == 0.0 ? Vector(0, 1, 0) : random.direction();
@@ -122,7 +101,7 @@ Finding severalLights(CheckRun& run) {
   std::vector<DirectCase> cases;
   Random random(run.seed);
   for (const int count : {2, 3, 5}) {
-    LitRoom room{{}, {}, kBelow};
+    LitRoom room{{}, {}, kBelowPlainLight};
     room.receiver.lopsided = count > 2;
     for (int k = 0; k < count; ++k)
       room.lights.push_back(
@@ -155,7 +134,7 @@ Finding screens(CheckRun& run) {
     hidden.screens.push_back(screenBefore(room.lights[0], room.receiver.p, share, way));
     return hidden;
   };
-  const LitRoom plain{{plainLight(LightShape::kParallelogram)}, {}, kBelow};
+  const LitRoom plain{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
   std::vector<DirectCase> cases{caseOf(hide(plain, 0.5, 0.5), kRays)};
   // On the way to the light, but behind it or behind the receiver.
   for (const double way : {1.5, -0.5}) {
@@ -173,7 +152,7 @@ Finding screens(CheckRun& run) {
 }
 
 Finding darkness(CheckRun& run) {
-  const LitRoom lit{{plainLight(LightShape::kParallelogram)}, {}, kBelow};
+  const LitRoom lit{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
   std::vector<DarkCase> cases;
   LitRoom room = lit;
   room.receiver.wo = {0.6f, -0.8f, 0};
@@ -198,7 +177,8 @@ Finding darkness(CheckRun& run) {
   const char* none = "a sample with the density 0 is none: nothing may be divided by it";
   const Point centre(1, 2, 3);
   const auto sphereCase = [&](float share, const Vector& n, bool inward, const char* why) {
-    room.lights = {{.centre = centre, .radius = 2.0f, .inward = inward, .emission = kEmission}};
+    room.lights = {
+        {.centre = centre, .radius = 2.0f, .inward = inward, .emission = kPlainEmission}};
     room.receiver = {centre + Vector(2.0f * share, 0, 0), n, n};
     cases.push_back({room, why, none});
   };
@@ -217,7 +197,7 @@ Finding isAFunctionOfItsNumbers(CheckRun& run) {
   Random random(run.seed);
   Exact exact;
   for (const int count : {1, 3}) {
-    LitRoom room{{}, {}, kBelow};
+    LitRoom room{{}, {}, kBelowPlainLight};
     for (int k = 0; k < count; ++k)
       room.lights.push_back(
           lightAround(random, room.receiver, LightShape::kParallelogram, k, count));

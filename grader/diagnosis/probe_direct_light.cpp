@@ -1,5 +1,6 @@
 // Direct light in rooms whose radiance is known: see checks/part2_direct_checks.cpp.
 #include "checks/calls.h"
+#include "checks/plain_light.h"
 #include "checks/random_rooms.h"
 #include "diagnosis/light_probes.h"
 
@@ -18,36 +19,14 @@ struct Room {
   LitRoom room;
 };
 
-const Colour kEmission(3.0f, 2.0f, 0.5f);
-const Receiver kBelow{{0.3f, 0, 0.2f}, {0, 1, 0}, {0.6f, 0.8f, 0}};
-
-// At height 2, looking down.
-RoomLight lightOver(LightShape shape) {
-  RoomLight light{.emission = kEmission};
-  switch (shape) {
-    case LightShape::kTriangle:
-      light.vertices = {{0, 2, 0}, {2, 2, 0}, {0, 2, 3}};
-      break;
-    case LightShape::kParallelogram:
-      light.vertices = {{-1, 2, -1}, {1, 2, -1}, {1, 2, 0.5f}, {-1, 2, 0.5f}};
-      break;
-    case LightShape::kPolygon:
-      light.vertices = {{-1, 2, -1}, {2, 2, -1}, {1, 2, 1}, {-1, 2, 0.5f}};
-      break;
-    case LightShape::kSphere:
-      light.centre = {0, 2, 0};
-      light.radius = 0.8f;
-  }
-  return light;
-}
-
 std::vector<Room> rooms() {
   Random random(26);
-  const LitRoom plain{{lightOver(LightShape::kParallelogram)}, {}, kBelow};
-  std::vector<Room> all{{"under a rectangle", plain},
-                        {"under a triangle", {{lightOver(LightShape::kTriangle)}, {}, kBelow}},
-                        {"under a polygon", {{lightOver(LightShape::kPolygon)}, {}, kBelow}},
-                        {"under a sphere", {{lightOver(LightShape::kSphere)}, {}, kBelow}}};
+  const LitRoom plain{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
+  std::vector<Room> all{
+      {"under a rectangle", plain},
+      {"under a triangle", {{plainLight(LightShape::kTriangle)}, {}, kBelowPlainLight}},
+      {"under a polygon", {{plainLight(LightShape::kPolygon)}, {}, kBelowPlainLight}},
+      {"under a sphere", {{plainLight(LightShape::kSphere)}, {}, kBelowPlainLight}}};
   LitRoom room = plain;
   room.receiver.lopsided = true;
   all.push_back({"under a rectangle, with a BRDF that depends on both directions", room});
@@ -57,7 +36,7 @@ std::vector<Room> rooms() {
                    {{light}, {}, place(random, light, Placement::kWhollyLit)}});
   }
   for (const int count : {2, 3, 5}) {
-    LitRoom several{{}, {}, kBelow};
+    LitRoom several{{}, {}, kBelowPlainLight};
     for (int k = 0; k < count; ++k)
       several.lights.push_back(
           lightAround(random, several.receiver, LightShape::kParallelogram, k, count));
@@ -66,7 +45,7 @@ std::vector<Room> rooms() {
   // A screen half way hides all that is to the right of p0 + 0.5 (p1 - p0).
   room = plain;
   const auto half = [&](double x, double z) {
-    return Point(glm::mix(glm::dvec3(kBelow.p), glm::dvec3(x, 2.0, z), 0.5));
+    return Point(glm::mix(glm::dvec3(kBelowPlainLight.p), glm::dvec3(x, 2.0, z), 0.5));
   };
   room.lights[0].open = 0.5;
   room.screens.push_back({half(0.0, -1.4), half(1.6, -1.4), half(1.6, 0.9), half(0.0, 0.9)});
@@ -75,7 +54,7 @@ std::vector<Room> rooms() {
 }
 
 std::vector<Room> darkRooms() {
-  LitRoom lit{{lightOver(LightShape::kParallelogram)}, {}, kBelow};
+  LitRoom lit{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
   std::vector<Room> all;
   LitRoom room = lit;
   room.receiver.n = {0, -1, 0};
@@ -86,7 +65,7 @@ std::vector<Room> darkRooms() {
   room.receiver = {{0.3f, 4, 0.2f}, {0, -1, 0}, {0.6f, -0.8f, 0}};
   all.push_back({"from the back of a light", room});
   room = lit;
-  room.lights[0] = lightOver(LightShape::kSphere);
+  room.lights[0] = plainLight(LightShape::kSphere);
   room.receiver = {{0.0f, 2.2f, 0.0f}, {0, 1, 0}, {0.6f, 0.8f, 0}};
   all.push_back({"inside a sphere that shines outwards", room});
   return all;
@@ -128,7 +107,7 @@ Signature probeDirectLighting(const ProbeRun& run) {
   Signature signature;
   for (const Room& room : rooms())
     addMean(run, room, radianceBy(rightKernel, room.room), signature);
-  const glm::dvec3 typical = glm::dvec3(kReceiverKd) * glm::dvec3(kEmission);
+  const glm::dvec3 typical = glm::dvec3(kReceiverKd) * glm::dvec3(kPlainEmission);
   for (const Room& room : darkRooms()) addMean(run, room, typical, signature);
   return signature;
 }

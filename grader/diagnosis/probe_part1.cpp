@@ -2,6 +2,7 @@
 #include "checks/calls.h"
 #include "checks/film_point.h"
 #include "checks/part1_checks.h"
+#include "checks/pixel_question.h"
 #include "checks/points.h"
 #include "diagnosis/probes.h"
 #include "worker/pixel_recorder.h"
@@ -87,32 +88,22 @@ Signature strata(const ProbeRun& run) {
   return signature;
 }
 
-RecordedPixel record(const ProbeRun& run, const SimpleCamera& camera, int rays,
-                     std::uint64_t seed) {
-  RecordPixelRequest request;
-  float* to = request.camera;
-  for (const vec3& v : {camera.eye(), camera.topLeft(), camera.pixelRight(), camera.pixelDown()})
-    for (int c = 0; c < 3; ++c) *to++ = v[c];
-  request.width = camera.width();
-  request.height = camera.height();
-  request.i = 5;
-  request.j = 2;
-  request.rays = rays;
-  request.seed = run.seed + seed;
-  return run.worker.recordPixel(request);
+PixelQuestion questionOf(const ProbeRun& run, const SimpleCamera& camera, int rays,
+                         std::uint64_t seed) {
+  return {.camera = camera, .i = 5, .j = 2, .rays = rays, .seed = run.seed + seed};
 }
 
 // What a pixel's rays add up to and how they are started; the order of the strata is left open.
 void addCounts(const ProbeRun& run, const SimpleCamera& camera, int rays, Signature& signature) {
-  const RecordedPixel pixel = record(run, camera, rays, 1), again = record(run, camera, rays, 1);
+  const PixelQuestion question = questionOf(run, camera, rays, 1);
+  const RecordedPixel pixel = question.ask(run.worker), again = question.ask(run.worker);
   const auto add = [&](const char* what, double value) {
     signature.add(fmt::format("{}, N = {}", what, rays), value);
   };
   double inOrder = 0.0, jittered = 0.0, same = 0.0;
   std::set<std::int32_t> started;
   std::set<std::pair<int, int>> cells;
-  int n = 1;
-  while ((n + 1) * (n + 1) <= rays) ++n;
+  const int n = strataPerSide(rays);
   for (std::size_t m = 0; m < pixel.rays.size(); ++m) {
     const RecordedRay& ray = pixel.rays[m];
     inOrder += ray.startRay == static_cast<int>(m) ? 1.0 : 0.0;
@@ -121,9 +112,7 @@ void addCounts(const ProbeRun& run, const SimpleCamera& camera, int rays, Signat
     same += m < again.rays.size() && std::ranges::equal(ray.direction, again.rays[m].direction)
                 ? 1.0
                 : 0.0;
-    const glm::dvec2 place =
-        filmPoint(camera, Vector(ray.direction[0], ray.direction[1], ray.direction[2])) -
-        glm::dvec2(5, 2);
+    const glm::dvec2 place = question.placeOf(ray);
     cells.emplace(static_cast<int>(std::floor(place.x * n)),
                   static_cast<int>(std::floor(place.y * n)));
   }
@@ -158,7 +147,8 @@ void addPlaces(const ProbeRun& run, const SimpleCamera& camera, int rays, Signat
   double inPixel = 0.0, swapped = 0.0, count = 0.0;
   for (std::uint32_t r = 0; r < kReplicates; ++r)
     for (std::uint32_t k = 0; k < kPixels; ++k) {
-      const RecordedPixel pixel = record(run, camera, rays, 100 + r * kPixels + k);
+      const RecordedPixel pixel =
+          questionOf(run, camera, rays, 100 + r * kPixels + k).ask(run.worker);
       const auto traced = static_cast<double>(pixel.rays.size()) * kPixels;
       for (const RecordedRay& ray : pixel.rays) {
         const glm::dvec2 film =

@@ -1,0 +1,185 @@
+// What one path of 5.1 must be, whatever the mean.
+#include "checks/exact.h"
+#include "checks/hollow.h"
+#include "checks/part5_checks.h"
+#include "checks/path_estimates.h"
+#include "checks/points.h"
+#include "checks/scenes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pathmark::checks::path {
+
+namespace {
+
+constexpr const char* kChannels[] = {"red", "green", "blue"};
+
+std::string inWords(const Ray& ray) {
+  return fmt::format("a ray from {} towards {}", text(ray.origin), text(ray.direction));
+}
+
+struct Traced {
+  Colour radiance;
+  bool valid;
+};
+
+// One path along each ray.
+std::vector<Traced> traceOnce(CheckRun& run, const std::vector<PathRay>& rays,
+                              std::uint32_t seed = 0) {
+  CheckRun own{run.worker, run.seed + seed, run.budget};
+  PathEstimates estimates(own, rays, 1);
+  std::vector<double> values(3 * rays.size());
+  estimates.measure(0, 1, values);
+  std::vector<Traced> all;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const Colour c(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+    all.push_back({c, !std::isnan(c.x)});
+  }
+  return all;
+}
+
+}  // namespace
+
+Finding emissionIsSeen(CheckRun& run) {
+  struct Case {
+    const char* what;
+    PathRay ray;
+    bool meets;
+    Colour expected;
+  };
+  const Colour emission(3, 2, 1);
+  const Ray front{{0.3f, 0.2f, 2}, {0, 0, -1}}, back{{0.3f, 0.2f, -2}, {0, 0, 1}},
+      past{{5, 0, 2}, {0, 0, -1}};
+  const std::vector<Case> cases{
+      {"the front of a light, maxBounces() = 0", {front, 0}, true, emission},
+      {"the back of a light, maxBounces() = 0", {back, 0}, true, Colour(0.0f)},
+      {"a ray that meets nothing, maxBounces() = 0", {past, 0}, false, Colour(0.0f)},
+      {"the front of a light, maxBounces() = 8", {front, 8}, true, emission},
+      {"the back of a light, maxBounces() = 8", {back, 8}, true, Colour(0.0f)},
+      {"a ray that meets nothing, maxBounces() = 8", {past, 8}, false, Colour(0.0f)},
+  };
+  SceneBuilder builder;
+  builder.parallelogram({.kd = Colour(0.5f), .emission = emission}, {-1, -1, 0}, {2, 0, 0},
+                        {0, 2, 0});
+  run.worker.loadScene(builder.flat());
+  Exact exact{"what the first hit emits is lost", "emission is counted twice",
+              "emission is multiplied by the reflectance",
+              "direct light is assigned (=) where it must be added (+=)", "the back emits too"};
+  std::vector<PathRay> rays;
+  for (const Case& c : cases) rays.push_back(c.ray);
+  const std::vector<Traced> traced = traceOnce(run, rays);
+  exact.count(rays.size());
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Case& c = cases[k];
+    const auto where = [&] {
+      return fmt::format("{}; the light emits {} and is alone", c.what, text(emission));
+    };
+    if (!exact.holds(
+            traced[k].valid, fmt::format("the radiance {}", text(c.expected)),
+            [] { return "a value that is not finite, or negative"; }, where))
+      continue;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double expected = double{c.expected[channel]};
+      exact.value(fmt::format("radiance, {}", kChannels[channel]), traced[k].radiance[channel],
+                  expected, 0x1p-22 * expected, where,
+                  {0.0, 2.0 * expected, 0.5 * expected, c.ray.bounces == 0 ? expected : 0.0,
+                   c.meets ? double{emission[channel]} : 0.0});
+    }
+  }
+  return exact.finding();
+}
+
+// Furnaces with all that can happen to a path: no samples, grazing directions, many bounces.
+Finding radianceIsValid(CheckRun& run) {
+  Random random(run.seed);
+  Exact exact;
+  for (const int bounces : {1, 2, 3, 8, 64}) {
+    const Hollow hollow(random);
+    run.worker.loadScene(furnaceIn(hollow, Colour(0.5f), Colour(1.0f)));
+    std::vector<PathRay> rays;
+    for (int k = 0; k < 200; ++k)
+      rays.push_back({hollow.rayAt(random.between(0.02, 1.0), random), bounces});
+    const std::vector<Traced> traced = traceOnce(run, rays);
+    exact.count(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k)
+      exact.holds(
+          traced[k].valid, "a radiance: finite, and at least 0",
+          [] { return "NaN, infinity or a negative number"; },
+          [&] {
+            return fmt::format(
+                "maxBounces() = {}, and reflection says \"no sample\" (density 0) for an eighth of "
+                "its samples; {}",
+                bounces, inWords(rays[k].ray));
+          });
+  }
+  Finding finding = exact.finding();
+  if (finding.status == Status::kFail)
+    finding.cause =
+        "a division by the density 0: there is no direction then, and the path has to end";
+  return finding;
+}
+
+Finding sameNumbersSameRadiance(CheckRun& run) {
+  Random random(run.seed);
+  const Hollow hollow(random);
+  run.worker.loadScene(furnaceIn(hollow, Colour(0.5f), Colour(1.0f)));
+  std::vector<PathRay> rays;
+  for (int k = 0; k < 64; ++k) rays.push_back({hollow.rayAt(random.between(0.1, 1.0), random), 8});
+  const std::vector<Traced> first = traceOnce(run, rays, 1), other = traceOnce(run, rays, 2),
+                            again = traceOnce(run, rays, 1);
+  Exact exact;
+  exact.count(3 * rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    exact.holds(
+        first[k].radiance == again[k].radiance || !first[k].valid,
+        "the same radiance from the same random numbers",
+        [&] {
+          return fmt::format("{}, and later {}", text(first[k].radiance), text(again[k].radiance));
+        },
+        [&] {
+          return fmt::format(
+              "{}, twice, with other paths in between: tracePath may draw its numbers from the "
+              "sampler only, and must keep nothing from one call to the next",
+              inWords(rays[k].ray));
+        });
+  (void)other;
+  return exact.finding();
+}
+
+Finding twiceTheEmission(CheckRun& run) {
+  Random random(run.seed);
+  const Hollow hollow(random);
+  const Colour emission(0.5f, 1.0f, 40.0f);
+  std::vector<PathRay> rays;
+  for (int k = 0; k < 400; ++k) rays.push_back({hollow.rayAt(random.between(0.1, 1.0), random), 6});
+  std::vector<Traced> traced[2];
+  for (const int times : {1, 2}) {
+    run.worker.loadScene(
+        furnaceIn(hollow, Colour(0.75f, 0.5f, 0.25f), static_cast<float>(times) * emission));
+    traced[times - 1] = traceOnce(run, rays);
+  }
+  Exact exact;
+  exact.count(2 * rays.size());
+  bool darker = true;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const Colour once = traced[0][k].radiance, twice = traced[1][k].radiance;
+    for (int c = 0; c < 3; ++c) darker = darker && twice[c] <= 2.0f * once[c];
+    exact.holds(
+        twice == 2.0f * once || !traced[0][k].valid,
+        fmt::format("radiance = {}, twice that before", text(2.0f * once)),
+        [&] { return fmt::format("radiance = {}", text(twice)); },
+        [&] {
+          return fmt::format(
+              "{}, once and again with the same random numbers, but twice the emission",
+              inWords(rays[k].ray));
+        });
+  }
+  Finding finding = exact.finding();
+  if (finding.status == Status::kFail && darker)
+    finding.cause = "radiance is clamped, or something is added that does not come from a light";
+  return finding;
+}
+
+}  // namespace pathmark::checks::path
