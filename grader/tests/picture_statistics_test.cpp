@@ -83,6 +83,13 @@ TEST(PictureStatistics, NoiseAloneIsNoBias) {
   EXPECT_LE(aboveZero, kMostMisses);
 }
 
+TEST(PictureStatistics, AWildPixelDoesNotHideWhatTheOthersShow) {
+  Image wild = noisy(1.5, 0.1, 1).image;
+  wild.rgb[0] = 1e6f;
+  wild.variance[0] = 1e12f;
+  EXPECT_GT(tileBias(wild, noisy(1.0, 0.1, 2).image).low, 0.3);
+}
+
 TEST(PictureStatistics, ABlackPictureIsOffByItsBrightness) {
   const Measured reference = noisy(1.0, 0.1, 1);
   Image black = reference.image;
