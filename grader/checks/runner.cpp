@@ -92,8 +92,9 @@ void checkFunctions(PartResult& part, CheckBench& bench, const Selection& select
     progress.done();
   }
   std::erase_if(part.functions, [&](const FunctionResult& f) {
-    if (selection.only.empty() || !f.checks.empty()) return false;
-    return !selection.only.starts_with(f.function.section);
+    if (!f.checks.empty()) return false;
+    return !selection.selects(f.function.function) ||
+           (!selection.only.empty() && !selection.only.starts_with(f.function.section));
   });
 }
 
@@ -325,9 +326,15 @@ std::size_t countSelected(const Selection& selection) {
 
 bool Selection::selects(const Check& check) const {
   if (check.whole && !images) return false;
+  if (!check.whole && !selects(check.function)) return false;
   if (only.empty()) return true;
   const std::string id = idOf(check);
   return id == only || id.starts_with(only + "/");
+}
+
+bool Selection::selects(CourseworkFunction function) const {
+  return functions.empty() ||
+         std::find(functions.begin(), functions.end(), function) != functions.end();
 }
 
 int severity(Status status) {

@@ -21,8 +21,10 @@ struct Selection {
   bool images = true;
   bool scenes = true;  // of part 7
   std::string only;    // an id or a section, such as "3.3/samples" or "3.3"; empty: all
+  std::vector<CourseworkFunction> functions{};  // empty: all
 
   bool selects(const Check& check) const;
+  bool selects(CourseworkFunction function) const;
 };
 
 struct RunOptions {

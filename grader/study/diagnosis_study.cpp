@@ -42,16 +42,18 @@ Functions functionsOf(int part) {
 }
 
 // Those in which a check finds something wrong: of these alone a mistake is named.
-Functions failingIn(const CourseworkBuild& build, int part) {
+Functions failingIn(const CaseBuild& made, int part) {
+  if (made.mayDiffer.empty()) return {};
   checks::Selection selection;
   selection.parts = {part};
+  selection.functions = made.mayDiffer;
   selection.images = selection.scenes = false;
   checks::RunOptions options;
   options.threads = 1;
   options.untilWrong = true;
   options.diagnose = false;
   Functions failing;
-  for (const checks::PartResult& p : checks::runChecks(build, selection, options).parts)
+  for (const checks::PartResult& p : checks::runChecks(made.build, selection, options).parts)
     for (const checks::FunctionResult& f : p.functions)
       if (f.status == checks::Status::kFail) failing.insert(f.function.function);
   return failing;
@@ -176,16 +178,16 @@ std::vector<NamedCase> nameCases(const std::vector<MistakenCase>& cases,
   std::vector<std::optional<NamedCase>> named(cases.size());
   forAll(cases.size(), threads, step, [&](std::size_t i) {
     const MistakenCase& c = cases[i];
-    const auto build = buildCase(c, others, scratchFolder());
-    if (!build) return;
-    const PartBuild& part = build->parts[static_cast<std::size_t>(c.part())];
+    const auto made = buildCase(c, others, scratchFolder());
+    if (!made) return;
+    const PartBuild& part = made->build.parts[static_cast<std::size_t>(c.part())];
     const std::string key = contentHash(judge + c.name() + part.object.filename().string());
     if (const auto known = log.find(key)) {
       named[i] = *known;
       return;
     }
-    const Functions failing = failingIn(*build, c.part());
-    const Signatures signatures = probeAll(*build, c.part(), failing, ProbeSeed::kDisguise);
+    const Functions failing = failingIn(*made, c.part());
+    const Signatures signatures = probeAll(made->build, c.part(), failing, ProbeSeed::kDisguise);
     NamedCase result{c.name(), c.patches.back().name, {}, {}, {}, {}};
     result.known = nameOf(c, signatures, catalogue, LeaveOut::kNothing, result.words);
     result.leftOut = nameOf(c, signatures, catalogue, LeaveOut::kMade, result.words);
@@ -264,11 +266,11 @@ diagnosis::Catalogue makeCatalogue(const std::vector<Variant>& variants, unsigne
   const std::vector<MistakenCase> cases = singleCases(variants);
   std::vector<Signatures> all(cases.size());
   forAll(cases.size(), threads, step, [&](std::size_t i) {
-    const auto build = buildCase(cases[i], others, scratchFolder());
-    if (!build)
+    const auto made = buildCase(cases[i], others, scratchFolder());
+    if (!made)
       throw std::runtime_error(cases[i].name() + " does not apply to the solutions or compile.");
     const int part = cases[i].part();
-    all[i] = probeAll(*build, part, functionsOf(part), ProbeSeed::kCatalogue);
+    all[i] = probeAll(made->build, part, functionsOf(part), ProbeSeed::kCatalogue);
   });
   diagnosis::Catalogue catalogue{catalogueStamp(), {}};
   for (const PartContract& part : parts()) {

@@ -55,8 +55,8 @@ std::vector<MistakenCase> pairedCases(const std::vector<Variant>& variants, std:
   return evenly(all, most);
 }
 
-std::optional<CourseworkBuild> buildCase(const MistakenCase& c, const CourseworkBuild& others,
-                                         const fs::path& scratch) {
+std::optional<CaseBuild> buildCase(const MistakenCase& c, const CourseworkBuild& others,
+                                   const fs::path& scratch) {
   const fs::path folder = scratch / c.name();
   for (const Variant& patch : c.patches) {
     const bool first = &patch == &c.patches.front();
@@ -69,12 +69,12 @@ std::optional<CourseworkBuild> buildCase(const MistakenCase& c, const Coursework
       return std::nullopt;
     }
   }
-  CourseworkBuild build = others;
+  CaseBuild made{others, functionsThatMayDifferIn(c.part(), others.folder, folder)};
   const auto part = static_cast<std::size_t>(c.part());
-  build.parts[part] = buildCoursework(folder, Incomplete::kCompileOnly).parts[part];
+  made.build.parts[part] = buildCoursework(folder, Incomplete::kCompileOnly).parts[part];
   fs::remove_all(folder);
-  if (!build.parts[part].compiled) return std::nullopt;
-  return build;
+  if (!made.build.parts[part].compiled) return std::nullopt;
+  return made;
 }
 
 }  // namespace pathmark::study

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "host/coursework_builder.h"
+#include "variants/reach.h"
 #include "variants/variant.h"
 
 #include <cstddef>
@@ -33,9 +34,14 @@ std::vector<MistakenCase> singleCases(const std::vector<Variant>& variants);
 std::vector<MistakenCase> disguisedCases(const std::vector<Variant>& variants, std::size_t most);
 std::vector<MistakenCase> pairedCases(const std::vector<Variant>& variants, std::size_t most);
 
+struct CaseBuild {
+  CourseworkBuild build;
+  std::vector<CourseworkFunction> mayDiffer;  // from the solutions'
+};
+
 // Nothing if the patches do not go together: if they change the same lines, or what they make does
 // not compile. `others`: the solutions' build, whose other parts are taken.
-std::optional<CourseworkBuild> buildCase(const MistakenCase& c, const CourseworkBuild& others,
-                                         const std::filesystem::path& scratch);
+std::optional<CaseBuild> buildCase(const MistakenCase& c, const CourseworkBuild& others,
+                                   const std::filesystem::path& scratch);
 
 }  // namespace pathmark::study

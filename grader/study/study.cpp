@@ -2,6 +2,7 @@
 
 #include "checks/all_checks.h"
 #include "host/content_hash.h"
+#include "variants/reach.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,6 +29,8 @@ using Clock = std::chrono::steady_clock;
 std::string keyOf(const StudySubject& subject) {
   std::string text = programHash() + subject.name + (subject.selection.images ? " images " : " ") +
                      subject.selection.only;
+  for (const CourseworkFunction f : subject.selection.functions)
+    text += fmt::format(" {}", contractOf(f).section);
   for (const PartBuild& part : subject.build.parts) text += part.object.filename().string();
   return contentHash(text);
 }
@@ -70,16 +73,14 @@ void note(const checks::CheckResult& result, StudyRecord& record) {
   if (status == checks::Status::kUndecided) record.undecided.push_back(idOf(*result.check));
 }
 
-StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
+StudyRecord runOnce(const StudySubject& subject, std::uint64_t seed,
+                    const checks::Selection& selection, bool untilWrong) {
   checks::RunOptions options;
   options.seed = seed;
   options.threads = 1;
-  // How far off a mistake is takes all checks; that it is found under other seeds too, only those
-  // up to the first that fails.
-  options.untilWrong = seed != 1 && subject.variant && subject.variant->wrong;
+  options.untilWrong = untilWrong;
   options.diagnose = false;
-  const checks::CourseworkResults results =
-      checks::runChecks(subject.build, subject.selection, options);
+  const checks::CourseworkResults results = checks::runChecks(subject.build, selection, options);
   StudyRecord record;
   record.subject = subject.name;
   record.seed = seed;
@@ -93,6 +94,38 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
   for (const checks::CheckResult& r : results.images) note(r, record);
   return record;
 }
+
+// How far off a mistake is takes all checks. That it is found under other seeds too takes one: the
+// one that found it first, where that is known.
+StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed, const std::string& finder) {
+  const bool quick = seed != 1 && subject.variant && subject.variant->wrong;
+  if (quick && !finder.empty()) {
+    checks::Selection selection = subject.selection;
+    selection.only = finder;
+    StudyRecord record = runOnce(subject, seed, selection, true);
+    if (!record.failed.empty()) return record;
+  }
+  return runOnce(subject, seed, subject.selection, quick);
+}
+
+// The check that finds each subject's mistake. May be used by several threads.
+class Finders {
+ public:
+  std::string of(const std::string& key) {
+    const std::lock_guard lock(mutex_);
+    return first_[key];
+  }
+
+  void note(const std::string& key, const StudyRecord& record) {
+    const std::lock_guard lock(mutex_);
+    if (!record.failed.empty() && record.failed.front().find('/') != std::string::npos)
+      first_.try_emplace(key, record.failed.front());
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::string> first_;
+};
 
 }  // namespace
 
@@ -160,6 +193,9 @@ StudySubject variantSubject(const Variant& variant, bool images, const fs::path&
   subject.name = variant.name;
   subject.variant = variant;
   subject.selection.parts = {variant.part};
+  if (!variant.wrong)
+    subject.selection.functions =
+        functionsThatMayDifferIn(variant.part, subject.build.folder, folder);
   return subject;
 }
 
@@ -180,6 +216,9 @@ std::vector<StudyRecord> runStudy(const std::vector<StudySubject>& subjects, int
       jobs.push_back({&subject, key, number, log.find(key, number)});
     }
   }
+  Finders finders;
+  for (const Job& job : jobs)
+    if (job.record) finders.note(job.key, *job.record);
   const auto known = static_cast<std::size_t>(
       std::count_if(jobs.begin(), jobs.end(), [](const Job& j) { return j.record.has_value(); }));
   std::atomic<std::size_t> next{0}, made{0};
@@ -196,7 +235,8 @@ std::vector<StudyRecord> runStudy(const std::vector<StudySubject>& subjects, int
         const auto left = static_cast<double>(jobs.size() - known) - done;
         if (!goOn({known + made, jobs.size(), done > 0.0 ? seconds / done * left : 0.0})) return;
       }
-      job.record = makeRecord(*job.subject, job.seed);
+      job.record = makeRecord(*job.subject, job.seed, finders.of(job.key));
+      finders.note(job.key, *job.record);
       log.add(job.key, *job.record);
       ++made;
     }

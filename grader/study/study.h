@@ -68,7 +68,8 @@ class StudyLog {
 StudySubject solutionsSubject(bool images);
 
 // A variant with the checks of its part: those of the other parts run in the same program as the
-// solutions'. With `images`, the pictures too.
+// solutions'. Of a correct one, only functions that its change may reach: what the others do is the
+// solutions', bit for bit. With `images`, the pictures too.
 StudySubject variantSubject(const Variant& variant, bool images,
                             const std::filesystem::path& scratch);
 
