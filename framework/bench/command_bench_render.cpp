@@ -103,7 +103,7 @@ int render(const BenchRenderArguments& arguments) {
   const RenderPlan plan = planFor(arguments);
   std::vector<BenchScene> scenes = loadScenes(arguments.scenes);
   const double steps = static_cast<double>(scenes.size()) * plan.seeds * (cycles ? 2.0 : 1.0) +
-                       plan.seeds + static_cast<double>(scenes.size());
+                       2.0 * plan.seeds + static_cast<double>(scenes.size());
   RenderBench bench{
       plan,
       std::move(runs),
@@ -113,6 +113,7 @@ int render(const BenchRenderArguments& arguments) {
       {.command = "bench render", .machine = machineLine(), .tables = {}, .figures = {}}};
   try {
     measureEfficiency(bench);
+    measureGrowth(bench);
     measureThreads(bench);
     measureStart(bench);
     measureMemoryUse(bench);

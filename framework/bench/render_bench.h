@@ -2,7 +2,7 @@
 //
 //   RenderPlan    how much of each is measured
 //   RenderBench   the scenes, what renders them, and where the findings go
-//   measureEfficiency, measureThreads, measureStart, measureMemoryUse   the parts
+//   measureEfficiency, measureGrowth, measureThreads, measureStart, measureMemoryUse   the parts
 #pragma once
 
 #include "bench/cycles_peer.h"
@@ -40,6 +40,9 @@ struct RenderBench {
 // Image error per CPU second, the image's mean, camera paths and rays per CPU second against the
 // raw rates of the intersectors, and all that against Cycles.
 void measureEfficiency(RenderBench& bench);
+
+// What a ray costs with a thousand times as many triangles.
+void measureGrowth(RenderBench& bench);
 
 // Two threads against one, and whether their images have the same bits.
 void measureThreads(RenderBench& bench);

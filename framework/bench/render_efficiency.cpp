@@ -82,15 +82,6 @@ struct SceneSamples {
   }
 };
 
-// Camera, bounce and shadow rays for each camera ray.
-double raysPerPath(const Coursework& coursework, const BenchScene& scene) {
-  RenderOptions options;
-  options.raysPerPixel = 16;
-  const RenderedImage made = renderScene(coursework, scene.scene, options).rendered;
-  stopIfInterrupted();
-  return static_cast<double>(made.raysTraced) / (scene.pixels() * made.raysPerPixel);
-}
-
 void measureOnce(RenderBench& bench, SceneSamples& samples, std::uint64_t seed) {
   const BenchScene& scene = *samples.scene;
   const auto render = [&](std::uint64_t rays, Samples& into) {
@@ -221,7 +212,7 @@ void measureEfficiency(RenderBench& bench) {
     SceneSamples samples;
     samples.scene = &scene;
     samples.raw = rawRateFor(scene.key);
-    samples.raysPerPath = raysPerPath(bench.runs.coursework(), scene);
+    samples.raysPerPath = bench.runs.raysPerPath(scene.scene);
     all.push_back(std::move(samples));
   }
   for (int seed = 1; seed <= bench.plan.seeds; ++seed)

@@ -81,4 +81,13 @@ PeakMemory RenderRuns::memory(const RenderRun& run) const {
   return peak;
 }
 
+double RenderRuns::raysPerPath(const LoadedScene& scene) const {
+  RenderOptions options;
+  options.raysPerPixel = 16;
+  const RenderedImage made = renderScene(coursework_, scene, options).rendered;
+  stopIfInterrupted();
+  const double pixels = static_cast<double>(made.image.width) * made.image.height;
+  return static_cast<double>(made.raysTraced) / (pixels * made.raysPerPixel);
+}
+
 }  // namespace pathmark::bench

@@ -49,6 +49,9 @@ class RenderRuns {
   RunResult render(const RenderRun& run) const;
   PeakMemory memory(const RenderRun& run) const;
 
+  // Camera, bounce and shadow rays for each camera ray.
+  double raysPerPath(const LoadedScene& scene) const;
+
   const Coursework& coursework() const { return coursework_; }
   const std::filesystem::path& folder() const { return folder_; }
 
