@@ -89,6 +89,7 @@ void storeOrigin(Imf::Header& header, const ImageOrigin& origin) {
   header.insert("pathmark.seed", Imf::StringAttribute(fmt::format("{}", origin.seed)));
   if (!origin.sampler.empty())
     header.insert("pathmark.sampler", Imf::StringAttribute(origin.sampler));
+  if (!origin.paths.empty()) header.insert("pathmark.paths", Imf::StringAttribute(origin.paths));
   header.insert("pathmark.seconds", Imf::DoubleAttribute(origin.seconds));
 }
 
@@ -114,6 +115,7 @@ ImageOrigin originFrom(const Imf::Header& header) {
   find<Imf::StringAttribute>(header, "pathmark.coursework", origin.coursework);
   find<Imf::StringAttribute>(header, "pathmark.seed", seed);
   find<Imf::StringAttribute>(header, "pathmark.sampler", origin.sampler);
+  find<Imf::StringAttribute>(header, "pathmark.paths", origin.paths);
   find<Imf::DoubleAttribute>(header, "pathmark.raysPerPixel", origin.raysPerPixel);
   find<Imf::DoubleAttribute>(header, "pathmark.seconds", origin.seconds);
   origin.raysPerPass = countFrom(header, "pathmark.raysPerPass", origin.raysPerPass);

@@ -24,6 +24,7 @@ struct ImageOrigin {
   std::uint32_t replicates = 1;
   std::uint64_t seed = 0;
   std::string sampler{};  // its name; empty if it is not known
+  std::string paths{};    // light path expression; empty: all light, or it is not known
   double seconds = 0.0;   // of rendering
 };
 

@@ -4,13 +4,16 @@
 
 #include "film/atomic_file.h"
 #include "host/content_hash.h"
+#include "light_paths/expression.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -23,9 +26,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-constexpr std::size_t kHashDigits = 32;
+constexpr std::size_t kHashDigits = 32, kPathsText = PathExpression::kLongestText;
 constexpr char kMagic[8] = {'P', 'M', 'c', 'h', 'e', 'c', 'k', '\n'};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 struct Header {
   char magic[8];
@@ -33,13 +36,14 @@ struct Header {
   std::uint16_t estimator = 0, sampler = 0;
   char scene[kHashDigits];
   char coursework[kHashDigits];
+  char paths[kPathsText];  // then zeros
   std::uint32_t width = 0, height = 0, maxBounces = 0, replicates = 0;
   std::uint64_t raysPerPixel = 0, seed = 0;
   std::uint64_t replicate = 0, firstRay = 0, row = 0, raysTraced = 0;
   double seconds = 0.0;
   InvalidPixels invalid;
 };
-static_assert(sizeof(Header) == 16 + 2 * kHashDigits + 16 + 56 + sizeof(InvalidPixels),
+static_assert(sizeof(Header) == 16 + 2 * kHashDigits + kPathsText + 16 + 56 + sizeof(InvalidPixels),
               "no padding: its bytes would be random");
 
 constexpr const char* kDamaged = "it is damaged";
@@ -60,6 +64,8 @@ Header headerOf(const CheckpointIdentity& identity, const RenderState& state) {
   std::memcpy(header.magic, kMagic, sizeof kMagic);
   std::memset(header.scene, 0, kHashDigits);
   std::memset(header.coursework, 0, kHashDigits);
+  std::memset(header.paths, 0, kPathsText);
+  settings.paths.copy(header.paths, kPathsText);
   identity.scene.copy(header.scene, kHashDigits);
   identity.coursework.copy(header.coursework, kHashDigits);
   header.estimator = static_cast<std::uint16_t>(settings.estimator);
@@ -79,6 +85,10 @@ Header headerOf(const CheckpointIdentity& identity, const RenderState& state) {
   return header;
 }
 
+std::size_t lengthOf(const char (&text)[kPathsText]) {
+  return static_cast<std::size_t>(std::find(std::begin(text), std::end(text), '\0') - text);
+}
+
 Checkpoint checkpointOf(const Header& header) {
   Checkpoint checkpoint;
   CheckpointIdentity& identity = checkpoint.identity;
@@ -92,6 +102,7 @@ Checkpoint checkpointOf(const Header& header) {
   identity.settings.seed = header.seed;
   identity.settings.estimator = static_cast<Estimator>(header.estimator);
   identity.settings.sampler = static_cast<SamplerKind>(header.sampler);
+  identity.settings.paths.assign(header.paths, lengthOf(header.paths));
   RenderState& state = checkpoint.state;
   state.replicate = header.replicate;
   state.firstRay = header.firstRay;
@@ -100,6 +111,20 @@ Checkpoint checkpointOf(const Header& header) {
   state.seconds = header.seconds;
   state.invalid = header.invalid;
   return checkpoint;
+}
+
+// Text that is no expression could do anything to a terminal.
+bool isPossible(const char (&paths)[kPathsText]) {
+  const std::string_view text(paths, lengthOf(paths));
+  const std::string_view rest(paths + text.size(), kPathsText - text.size());
+  if (rest.find_first_not_of('\0') != std::string_view::npos) return false;
+  if (text.empty()) return true;
+  try {
+    PathExpression{text};
+    return true;
+  } catch (const ExpressionError&) {
+    return false;
+  }
 }
 
 // The numbers fit together, and none is so large that a calculation with it could overflow.
@@ -114,7 +139,7 @@ bool isPossible(const Header& header) {
       !within(header.raysPerPixel, 1, kMostRays) ||
       !within(header.replicates, 1, header.raysPerPixel) ||
       header.raysPerPixel % header.replicates != 0 || header.estimator > 1 ||
-      header.sampler >= kSamplerNames.size())
+      header.sampler >= kSamplerNames.size() || !isPossible(header.paths))
     return false;
   const RenderSettings settings = checkpointOf(header).identity.settings;
   const std::uint64_t each = settings.raysPerReplicate();

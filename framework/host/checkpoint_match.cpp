@@ -14,6 +14,8 @@ const char* nameOf(Estimator estimator) {
   return estimator == Estimator::kWarmUp ? "with --warm-up" : "without --warm-up";
 }
 
+std::string nameOf(const std::string& paths) { return paths.empty() ? "of all light" : paths; }
+
 std::string differentSettings(const CheckpointIdentity& has, const CheckpointIdentity& wanted) {
   const RenderSettings &a = has.settings, &b = wanted.settings;
   if (a.width != b.width || a.height != b.height)
@@ -26,6 +28,8 @@ std::string differentSettings(const CheckpointIdentity& has, const CheckpointIde
     return fmt::format("its sampler is {}, not {}", nameOf(a.sampler), nameOf(b.sampler));
   if (a.estimator != b.estimator)
     return fmt::format("it was made {}, not {}", nameOf(a.estimator), nameOf(b.estimator));
+  if (a.paths != b.paths)
+    return fmt::format("its light paths are {}, not {}", nameOf(a.paths), nameOf(b.paths));
   if (has.scene != wanted.scene) return "it is of another scene, or the scene has changed since";
   if (has.coursework != wanted.coursework)
     return "it was made with other coursework, or the coursework has changed since";

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct SheetArguments {
   std::uint64_t raysPerPixel = 256;
   int thumbnail = 160;
   std::string sampler = "sobol";
+  std::vector<std::string> paths;  // none: all light
   std::string output = "contact_sheet.png";
 };
 
@@ -43,6 +45,24 @@ std::vector<fs::path> findScenes(const std::vector<std::string>& scenes) {
   return files;
 }
 
+// A picture that is wanted.
+struct Wish {
+  fs::path scene;
+  std::optional<PathExpression> paths{};
+};
+
+// Every scene once, or once for each expression.
+std::vector<Wish> wishesFor(const SheetArguments& arguments) {
+  std::vector<PathExpression> expressions;
+  for (const std::string& text : arguments.paths) expressions.push_back(findPaths(text));
+  std::vector<Wish> wishes;
+  for (const fs::path& scene : findScenes(arguments.scenes)) {
+    if (expressions.empty()) wishes.push_back({scene});
+    for (const PathExpression& paths : expressions) wishes.push_back({scene, paths});
+  }
+  return wishes;
+}
+
 void refuseOutput(const SheetArguments& arguments, std::size_t scenes) {
   const fs::path file = arguments.output;
   if (file.extension() != ".png")
@@ -51,9 +71,9 @@ void refuseOutput(const SheetArguments& arguments, std::size_t scenes) {
   // A pixel takes 12 bytes while it is drawn.
   constexpr double kMostPixels = 0x1p26;
   if (static_cast<double>(scenes) * arguments.thumbnail * arguments.thumbnail > kMostPixels)
-    throw UsageError(
-        fmt::format("{} scenes of {} pixels do not fit on one sheet; a smaller --thumbnail helps.",
-                    scenes, arguments.thumbnail));
+    throw UsageError(fmt::format(
+        "{} pictures of {} pixels do not fit on one sheet; a smaller --thumbnail helps.", scenes,
+        arguments.thumbnail));
 }
 
 // The scene's own size is only known once it is read.
@@ -66,10 +86,11 @@ LoadedScene loadThumbnail(const fs::path& file, int thumbnail) {
 }
 
 // Fills the tile's picture, or its reason for having none; returns an exit code.
-int renderTile(const Coursework& coursework, const fs::path& file, const SheetArguments& arguments,
+int renderTile(const Coursework& coursework, const Wish& wish, const SheetArguments& arguments,
                SheetTile& tile) {
-  const LoadedScene scene = loadThumbnail(file, arguments.thumbnail);
+  const LoadedScene scene = loadThumbnail(wish.scene, arguments.thumbnail);
   RenderOptions options;
+  options.paths = wish.paths;
   options.raysPerPixel = arguments.raysPerPixel;
   options.sampler = findSampler(arguments.sampler);
   const RenderOutcome outcome = renderScene(coursework, scene, options);
@@ -91,12 +112,12 @@ int renderTile(const Coursework& coursework, const fs::path& file, const SheetAr
 }
 
 // A scene that fails costs its own tile only.
-int renderOrExplain(const Coursework& coursework, const fs::path& file,
-                    const SheetArguments& arguments, SheetTile& tile) {
+int renderOrExplain(const Coursework& coursework, const Wish& wish, const SheetArguments& arguments,
+                    SheetTile& tile) {
   try {
-    if (needsShippedBlobFile(file) && makeShippedBlobFile())
+    if (needsShippedBlobFile(wish.scene) && makeShippedBlobFile())
       fmt::print(stderr, "The mesh of the scene blob was made.\n");
-    return renderTile(coursework, file, arguments, tile);
+    return renderTile(coursework, wish, arguments, tile);
   } catch (const SceneError& e) {
     tile.reason = "does not load";
     fmt::print(stderr, "{}\n", e.what());
@@ -108,34 +129,45 @@ int renderOrExplain(const Coursework& coursework, const fs::path& file,
   }
 }
 
-std::vector<SheetTile> emptyTiles(const std::vector<fs::path>& files) {
+// Named by their scenes, by their expressions, or by both where there are several of both.
+std::vector<SheetTile> emptyTiles(const std::vector<Wish>& wishes) {
+  std::vector<fs::path> files;
+  for (const Wish& wish : wishes) files.push_back(wish.scene);
+  const bool oneScene =
+      std::all_of(files.begin(), files.end(), [&](const fs::path& f) { return f == files[0]; });
+  std::vector<std::string> labels = sheetLabels(files);
   std::vector<SheetTile> tiles;
-  for (std::string& label : sheetLabels(files))
+  for (std::size_t k = 0; k < wishes.size(); ++k) {
+    std::string label = std::move(labels[k]);
+    if (wishes[k].paths)
+      label =
+          oneScene ? wishes[k].paths->text() : fmt::format("{} {}", label, wishes[k].paths->text());
     tiles.push_back({.label = std::move(label), .reason = "not rendered"});
+  }
   return tiles;
 }
 
 int contactSheet(const SheetArguments& arguments) {
-  const std::vector<fs::path> files = findScenes(arguments.scenes);
-  refuseOutput(arguments, files.size());
+  const std::vector<Wish> wishes = wishesFor(arguments);
+  refuseOutput(arguments, wishes.size());
   findSampler(arguments.sampler);
   const Coursework coursework =
       prepareCoursework(arguments.with.empty() ? solvedCoursework() : arguments.with);
   fmt::print("{:<24} {:>9} {:>14} {:>8} {:>8}\n", "scene", "pixels", "rays per pixel", "seconds",
              "Mrays/s");
   std::fflush(stdout);
-  std::vector<SheetTile> tiles = emptyTiles(files);
+  std::vector<SheetTile> tiles = emptyTiles(wishes);
   int code = kSuccess;
-  for (std::size_t k = 0; k < files.size() && !interrupted(); ++k)
-    code = std::max(code, renderOrExplain(coursework, files[k], arguments, tiles[k]));
+  for (std::size_t k = 0; k < wishes.size() && !interrupted(); ++k)
+    code = std::max(code, renderOrExplain(coursework, wishes[k], arguments, tiles[k]));
   if (interrupted()) code = kInterrupted;
 
   const Image sheet = drawContactSheet(tiles, arguments.thumbnail);
   writeImage(arguments.output, sheet, 1.0);
   const auto shown =
       std::count_if(tiles.begin(), tiles.end(), [](const auto& t) { return t.picture; });
-  fmt::print("\n{}: {}x{}, {} of {} scenes, with {}\n", arguments.output, sheet.width, sheet.height,
-             shown, tiles.size(), coursework.name);
+  fmt::print("\n{}: {}x{}, {} of {} {}, with {}\n", arguments.output, sheet.width, sheet.height,
+             shown, tiles.size(), arguments.paths.empty() ? "scenes" : "pictures", coursework.name);
   return code;
 }
 
@@ -163,6 +195,11 @@ void addContactSheetCommand(CLI::App& app, CommandAction& action) {
                    16, 1024);
   addSamplerOption(*command, arguments->sampler);
   command
+      ->add_option("--paths", arguments->paths,
+                   "Light path expressions: each scene once for each of them, with only the light "
+                   "that came along such paths; handouts/light_paths.md tells more")
+      ->type_name("EXPR...");
+  command
       ->add_option("--output", arguments->output,
                    "The .png file to write (default: contact_sheet.png)")
       ->type_name("FILE");
@@ -170,7 +207,8 @@ void addContactSheetCommand(CLI::App& app, CommandAction& action) {
       "Examples:\n"
       "  ./pathmark contact-sheet\n"
       "  ./pathmark contact-sheet cornell_box furnace --with student --rays-per-pixel 16\n"
-      "  ./pathmark contact-sheet submissions/*/scenes/*.json --output part7.png\n\n"
+      "  ./pathmark contact-sheet submissions/*/scenes/*.json --output part7.png\n"
+      "  ./pathmark contact-sheet cornell_phong --paths LE LDE LSE 'L..+E' 'L.*E'\n\n"
       "A scene that fails costs its own tile only. Ctrl-C writes what there is.\n"
       "Exit code: 0 done, 1 the coursework is at fault, 2 the command line or a scene is,\n"
       "3 the machine is, 130 interrupted.");

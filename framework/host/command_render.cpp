@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace pathmark {
 
@@ -25,6 +26,7 @@ struct RenderArguments {
   std::string with = "student";
   std::string size;
   std::string sampler = "sobol";
+  std::optional<std::string> paths;
   std::string output;
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
@@ -71,6 +73,10 @@ void noteVariance(const std::filesystem::path& output, const RenderOptions& opti
 }
 
 int render(RenderArguments& arguments) {
+  if (arguments.picture.options.warmUp && arguments.paths)
+    throw UsageError(
+        "--paths and --warm-up: the warm-up finds its light by itself, so that nothing can be kept "
+        "out of it; --paths goes with part 5.");
   SceneOverrides overrides;
   if (!arguments.size.empty()) overrides.size = parseSize(arguments.size);
   if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
@@ -80,6 +86,7 @@ int render(RenderArguments& arguments) {
   options.raysPerPixel = static_cast<std::uint64_t>(
       arguments.raysPerPixel > 0 ? arguments.raysPerPixel : scene.raysPerPixel);
   options.sampler = findSampler(arguments.sampler);
+  if (arguments.paths) options.paths = findPaths(*arguments.paths);
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.explain) {
@@ -157,6 +164,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                0.1, 86400.0);
   command->add_flag("--warm-up", arguments->picture.options.warmUp,
                     "Render with part 0's get_ray_radiance; spheres are left out");
+  addPathsOption(*command, arguments->paths);
   addLongRenderOptions(*command, *arguments);
   command->add_flag("--explain", arguments->explain,
                     "Print how rays would be answered in the scene, and why, and render nothing");
@@ -166,6 +174,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark render cornell_box --with solutions --rays-per-pixel 256\n"
       "  ./pathmark render cornell_box --warm-up --size 128x128\n"
       "  ./pathmark render cornell_box --explain\n"
+      "  ./pathmark render cornell_phong --paths 'LS+DE' --output caustic.png\n"
       "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n"
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png   (Ctrl-C)\n"
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png --resume\n"

@@ -21,6 +21,7 @@ Json imageJson(const std::filesystem::path& name, const ImageFile& file, const F
           // JSON numbers are doubles to many readers.
           {"seed", std::to_string(origin.seed)},
           {"sampler", origin.sampler},
+          {"paths", origin.paths},
           {"hasVariance", !file.image.variance.empty()},
           {"invalidPixels", flaws.invalid},
           {"nanPixels", flaws.nan},

@@ -21,6 +21,8 @@ std::string originOf(const ImageOrigin& origin) {
                                 origin.replicates == 1 ? "" : "s", origin.seed));
   if (!origin.sampler.empty())
     parts.push_back(fmt::format("sampler {}", printable(origin.sampler)));
+  if (!origin.paths.empty())
+    parts.push_back(fmt::format("light paths {}", printable(origin.paths)));
   return parts.empty() ? "" : fmt::format("; {}", fmt::join(parts, ", "));
 }
 

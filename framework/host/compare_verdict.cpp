@@ -100,6 +100,12 @@ std::vector<std::string> compareNotes(const CompareReport& report) {
         fmt::format("They are of different scenes: {} and {}, or another version, size "
                     "or number of bounces.",
                     printable(a.scene), printable(b.scene)));
+  const auto pathsOf = [](const ImageOrigin& origin) {
+    return origin.paths.empty() ? std::string("all light") : printable(origin.paths);
+  };
+  if (a.paths != b.paths)
+    notes.push_back(
+        fmt::format("They show different light paths: {} and {}.", pathsOf(a), pathsOf(b)));
   const bool otherPoints = !a.sampler.empty() && !b.sampler.empty() && a.sampler != b.sampler;
   const bool sameRays =
       !a.sceneHash.empty() && a.sceneHash == b.sceneHash && a.seed == b.seed && !otherPoints;

@@ -1,5 +1,6 @@
 #include "host/explain_render.h"
 
+#include "light_paths/explain.h"
 #include "render/explain_plan.h"
 #include "scene/normalise.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace pathmark {
@@ -77,6 +79,9 @@ std::string explainRender(const LoadedScene& scene, const RenderSettings& settin
   std::vector<PlanLine> lines = settings.estimator == Estimator::kWarmUp
                                     ? warmUpLines(view)
                                     : explainPlan(planFor(view), view);
+  if (!settings.paths.empty())
+    for (PlanLine& line : explainLightPaths(PathExpression(settings.paths), view))
+      lines.push_back(std::move(line));
   lines.insert(lines.end(),
                {points(settings), replicates(settings), threads(settings), coordinates(scene)});
   std::size_t width = 0;

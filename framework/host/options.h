@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace pathmark {
@@ -43,6 +44,16 @@ inline void addSamplerOption(CLI::App& command, std::string& name) {
                   "tells the "
                   "difference")
       ->type_name("NAME");
+}
+
+// --paths EXPRESSION, for findPaths.
+inline void addPathsOption(CLI::App& command, std::optional<std::string>& expression) {
+  command
+      .add_option("--paths", expression,
+                  "Only light that came along paths of this light path expression, such as "
+                  "'L(S|D)*E' for all: L the light, S and D specular and diffuse reflections, . "
+                  "either, E the eye; * + ? | and ( ) as usual. handouts/light_paths.md tells more")
+      ->type_name("EXPR");
 }
 
 }  // namespace pathmark

@@ -41,6 +41,7 @@ ImageOrigin originOf(const Coursework& coursework, const LoadedScene& scene,
   origin.replicates = settings.replicates;
   origin.seed = settings.seed;
   origin.sampler = nameOf(settings.sampler);
+  origin.paths = settings.paths;
   origin.seconds = rendered.seconds;
   return origin;
 }

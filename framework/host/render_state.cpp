@@ -59,6 +59,7 @@ RenderJob nextJob(const RenderSettings& settings, const RenderState& state, doub
   RenderJob job;
   job.estimator = settings.estimator;
   job.sampler = settings.sampler;
+  job.paths = settings.automaton;
   job.threads = settings.threads;
   job.seed = replicateSeed(settings.seed, state.replicate);
   job.firstRay = state.firstRay;

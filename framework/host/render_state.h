@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pathmark {
@@ -23,6 +24,8 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::kSobol;
   Estimator estimator = Estimator::kPath;
+  std::string paths{};                 // expression of the light that is let through; empty: all
+  PathAutomaton automaton{};           // the same for the worker
   std::optional<FlatCamera> camera{};  // instead of the scene's, of the same size
 
   std::uint64_t raysPerReplicate() const { return raysPerPixel / replicates; }

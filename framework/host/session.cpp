@@ -6,6 +6,8 @@
 #include "host/display_path.h"
 #include "host/interrupt.h"
 #include "host/progress_bar.h"
+#include "light_paths/error_text.h"
+#include "light_paths/language.h"
 #include "scene/spelling.h"
 
 #include <fmt/format.h>
@@ -99,10 +101,25 @@ SamplerKind findSampler(const std::string& name) {
       fmt::format("--sampler {}: it is one of {}.", name, fmt::join(kSamplerNames, ", ")));
 }
 
+PathExpression findPaths(const std::string& text) {
+  try {
+    PathExpression expression(text);
+    automatonFor(expression);  // may need too many states
+    return expression;
+  } catch (const ExpressionError& e) {
+    throw UsageError(fmt::format("--paths: {}", textWithCaret(text, e)));
+  }
+}
+
 std::string sceneHash(const LoadedScene& scene) {
   ContentHasher hasher;
   packScene(scene.flat, [&](std::span<const std::byte> bytes) { hasher.add(bytes); });
   return hasher.digits();
+}
+
+void letThrough(const PathExpression& paths, const FlatScene& scene, RenderSettings& settings) {
+  settings.paths = paths.text();
+  settings.automaton = automatonFor(paths, lobesPresent(viewOf(scene)));
 }
 
 RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options) {
@@ -116,6 +133,7 @@ RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& option
   settings.threads = std::min<std::uint32_t>(settings.threads, kMaxThreads);
   settings.seed = options.seed;
   settings.sampler = options.sampler;
+  if (options.paths) letThrough(*options.paths, scene.flat, settings);
   settings.estimator = options.warmUp ? Estimator::kWarmUp : Estimator::kPath;
   return settings;
 }

@@ -4,11 +4,13 @@
 #include "host/render_loop.h"
 #include "host/stub_report.h"
 #include "host/worker_process.h"
+#include "light_paths/expression.h"
 #include "scene/load_scene.h"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,14 +66,21 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::kSobol;
   bool warmUp = false;
+  std::optional<PathExpression> paths{};  // nothing: all light
   double secondsWithoutAnswer = 10.0;
 };
 
 // The sampler of this name; throws UsageError if there is none.
 SamplerKind findSampler(const std::string& name);
 
+// The light path expression that --paths says; throws UsageError, with a caret, if it is none.
+PathExpression findPaths(const std::string& text);
+
 // A content hash of the scene as a worker gets it.
 std::string sceneHash(const LoadedScene& scene);
+
+// What a render of the scene then lets through.
+void letThrough(const PathExpression& paths, const FlatScene& scene, RenderSettings& settings);
 
 RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options);
 

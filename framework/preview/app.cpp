@@ -63,6 +63,7 @@ App::App(Window& window, AppOptions options)
       panels_(std::make_unique<Panels>(
           wake_, [this](CourseworkFunction f) { choosePart(contractOf(f).part); })) {
   request_.estimator = part_ == 0 ? Estimator::kWarmUp : Estimator::kPath;
+  if (request_.paths) pathsField_.show(request_.paths->text());
   engine_ = std::make_unique<Engine>(request_, wake_);
   state_ = engine_->state();
 }
@@ -129,6 +130,7 @@ std::string App::title() const {
   const Picture& picture = *state_->picture;
   text += fmt::format(": {}, {}, {:.4g} rays per pixel", picture.scene->loaded.name,
                       picture.coursework, picture.raysPerPixel);
+  if (!picture.paths.empty()) text += fmt::format(", light paths {}", picture.paths);
   if (!state_->buildFailure.empty()) text += ", does not compile";
   if (!state_->sceneFailure.empty()) text += ", the scene cannot be used";
   if (!state_->workerFailure.empty()) text += ", stopped";
@@ -215,6 +217,7 @@ void App::savePicture(const std::filesystem::path& file) {
       .replicates = std::max(1u, picture.replicates),
       .seed = picture.seed,
       .sampler = std::string(kSamplerNames[static_cast<std::size_t>(picture.sampler)]),
+      .paths = picture.paths,
       .seconds = picture.seconds};
   try {
     writeImage(file, picture.image, exposure(), origin);

@@ -5,6 +5,7 @@
 #include "preview/camera_pose.h"
 #include "preview/engine.h"
 #include "preview/frame.h"
+#include "preview/paths_field.h"
 #include "preview/picture_area.h"
 #include "preview/remembered.h"
 #include "preview/window.h"
@@ -89,6 +90,7 @@ class App {
   int framesDue_ = 3;
   int exitCode_ = 0;
   PictureArea area_;
+  PathsField pathsField_;
   std::unique_ptr<Panels> panels_;
   std::unique_ptr<Engine> engine_;  // last: it wakes the window
 };

@@ -225,6 +225,12 @@ void App::drawView() {
     apply();
   }
   ImGui::Separator();
+  const bool warmUp = request_.estimator == Estimator::kWarmUp;
+  if (pathsField_.draw(state_->scene ? &state_->scene->loaded.flat : nullptr, warmUp)) {
+    request_.paths = pathsField_.expression();
+    apply();
+  }
+  ImGui::Separator();
   ImGui::TextUnformatted("What the coursework has printed:");
   ImGui::BeginChild("printed", {0.0f, 0.0f}, true, ImGuiWindowFlags_HorizontalScrollbar);
   if (state_->printed.empty())
@@ -240,6 +246,7 @@ void App::drawStatus() {
     const Picture& p = *state_->picture;
     text += fmt::format("   {:.4g} rays per pixel   {}   {:.1f} million rays/s", p.raysPerPixel,
                         shortTime(p.seconds), 1e-6 * p.raysPerSecond);
+    if (!p.paths.empty()) text += fmt::format("   light paths {}", p.paths);
     if (p.invalid.count() > 0)
       text += fmt::format("   {} values that are no radiance (magenta)", p.invalid.count());
     if (area_.hovered()) {

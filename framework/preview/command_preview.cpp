@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <thread>
 
 namespace pathmark {
@@ -24,6 +25,7 @@ namespace {
 struct PreviewArguments {
   std::string scene;
   std::string sampler = "sobol";
+  std::optional<std::string> paths;
   std::string size;
   std::string tab = "progress";
   std::string pick;
@@ -74,6 +76,7 @@ void readArguments(PreviewArguments& arguments, const preview::Remembered& last)
   app.request.scene = sceneFile(arguments.scene, last);
   findCoursework(app.request.with);
   app.request.sampler = findSampler(arguments.sampler);
+  if (arguments.paths) app.request.paths = findPaths(*arguments.paths);
   app.request.threads = arguments.threads != 0 ? arguments.threads
                                                : std::max(1u, std::thread::hardware_concurrency());
   if (arguments.rays > 0) app.request.mostRays = static_cast<double>(arguments.rays);
@@ -124,6 +127,7 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
                                        "The part to begin with; 0 renders the warm-up"),
                    0, 6);
   addSamplerOption(*command, arguments->sampler);
+  addPathsOption(*command, arguments->paths);
   takesWholeNumber(command->add_option("--seed", arguments->app.request.seed,
                                        "Seed of the random numbers (default: 0)"),
                    0, std::numeric_limits<std::int64_t>::max());
@@ -168,6 +172,7 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark preview\n"
       "  ./pathmark preview ucl_rectangle --part 2\n"
       "  ./pathmark preview cornell_box --with solutions\n"
+      "  ./pathmark preview cornell_phong --with solutions --paths LS+DE --tab view\n"
       "  ./pathmark preview student/scenes/my_scene.json --scale 2\n"
       "  ./pathmark preview cornell_box --tab paths --pick 128,90 --after-rays 64 --screenshot "
       "window.png\n"

@@ -8,6 +8,7 @@
 // endless loop become a sentence, and the next save starts anew.
 #pragma once
 
+#include "light_paths/expression.h"
 #include "preview/picture.h"
 
 #include <condition_variable>
@@ -28,6 +29,7 @@ struct EngineRequest {
   std::filesystem::path scene;
   Estimator estimator = Estimator::kPath;
   SamplerKind sampler = SamplerKind::kSobol;
+  std::optional<PathExpression> paths{};  // nothing: all light; the warm-up knows no other
   std::uint64_t seed = 0;
   std::uint32_t threads = 1;
   double mostRays = std::numeric_limits<double>::infinity();  // of each pixel

@@ -28,6 +28,8 @@ struct Picture {
   bool fileCamera = true;  // the camera is the scene file's
   Estimator estimator = Estimator::kPath;
   SamplerKind sampler = SamplerKind::kSobol;
+  std::string paths;               // light path expression; empty: all light
+  PathAutomaton automaton;         // the same for a worker
   std::uint64_t seed = 0;          // of its first replicate
   std::uint32_t raysPerPass = 64;  // of a finished one
   std::string coursework;          // "student", "solutions", or the folder's name

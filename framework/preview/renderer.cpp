@@ -29,9 +29,14 @@ bool sameCamera(const std::optional<FlatCamera>& a, const std::optional<FlatCame
          a->pixelDown == b->pixelDown && a->width == b->width && a->height == b->height;
 }
 
+std::string textOf(const std::optional<PathExpression>& paths) {
+  return paths ? paths->text() : std::string();
+}
+
 bool samePicture(const EngineRequest& a, const EngineRequest& b) {
   return a.estimator == b.estimator && a.sampler == b.sampler && a.seed == b.seed &&
-         a.threads == b.threads && a.restarts == b.restarts && sameCamera(a.camera, b.camera);
+         textOf(a.paths) == textOf(b.paths) && a.threads == b.threads && a.restarts == b.restarts &&
+         sameCamera(a.camera, b.camera);
 }
 
 // The same view in fewer pixels, each `by` wide and high.
@@ -206,6 +211,8 @@ RenderSettings Engine::Renderer::settings() const {
   settings.seed = request.seed;
   settings.sampler = request.sampler;
   settings.estimator = request.estimator;
+  if (request.paths && request.estimator == Estimator::kPath)
+    letThrough(*request.paths, scene_->loaded.flat, settings);
   settings.camera = request.camera;
   return settings;
 }
@@ -272,7 +279,10 @@ void Engine::Renderer::publish(Series::Made made) {
   picture->estimator = request.estimator;
   picture->sampler = request.sampler;
   picture->seed = request.seed;
-  picture->raysPerPass = settings().raysPerPass();
+  const RenderSettings asked = settings();
+  picture->raysPerPass = asked.raysPerPass();
+  picture->paths = asked.paths;
+  picture->automaton = asked.automaton;
   picture->coursework = courseworkName(request.with);
   picture->image = std::move(made.image);
   picture->replicates = made.replicates;

@@ -5,6 +5,7 @@
 //   InvalidPixels   values that are no radiance, counted and kept out of the film
 #pragma once
 
+#include "render/path_automaton.h"
 #include "sampling/sampler_kind.h"
 #include "scene/flat_scene.h"
 
@@ -40,6 +41,7 @@ struct RenderJob {
   PixelRegion region;           // to render; what reaches beyond the image is cut off
   std::uint32_t ownCamera = 0;  // 1: the camera is `camera` and not the scene's
   FlatCamera camera;
+  PathAutomaton paths;  // that light is let through along; not of the warm-up
 };
 
 struct InvalidPixels {

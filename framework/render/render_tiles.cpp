@@ -1,5 +1,6 @@
 #include "render/render_tiles.h"
 
+#include "render/path_filter.h"
 #include "render/ray_count.h"
 #include "sampling/pixel_sampler.h"
 
@@ -33,11 +34,19 @@ class PixelRenderer {
         job_(job),
         scene_(core, core.maxBounces()),
         sampler_(makePixelSampler(job.sampler, job.seed, job.raysPerPass)) {
-    if (job.estimator == Estimator::kWarmUp) warmUp_ = core.warmUpTriangles();
+    if (job.estimator == Estimator::kWarmUp)
+      warmUp_ = core.warmUpTriangles();
+    else if (job.paths.filters())
+      filter_ = std::make_unique<PathFilter>(core, job.paths, camera.eye(), job.seed);
+    filterPathsOfThisThread(filter_.get());
   }
+  ~PixelRenderer() { filterPathsOfThisThread(nullptr); }
+  PixelRenderer(const PixelRenderer&) = delete;
+  PixelRenderer& operator=(const PixelRenderer&) = delete;
 
   Colour render(int i, int j, std::uint64_t firstRay, std::uint32_t rays) {
     sampler_->startPixel(i, j, firstRay);
+    if (filter_) filter_->startPixel(i, j, firstRay);
     if (job_.estimator == Estimator::kWarmUp) return warmUp(i, j, rays);
     return scene_.renderPixel(i, j, camera_, static_cast<int>(rays), *sampler_);
   }
@@ -63,6 +72,7 @@ class PixelRenderer {
   LitScene scene_;
   std::unique_ptr<PixelSampler> sampler_;
   std::vector<Triangle> warmUp_;
+  std::unique_ptr<PathFilter> filter_;  // null: all light is let through
 };
 
 // Adds a pass of a pixel to the film, unless it is no radiance.

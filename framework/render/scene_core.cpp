@@ -26,7 +26,10 @@ SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins)
       camera_(makeCamera(view.camera)),
       maxBounces_(static_cast<int>(view.maxBounces)),
       intersector_(view, planFor(view, origins)) {
-  for (const FlatMaterial& m : view.materials) materials_.push_back(makeMaterial(m));
+  for (const FlatMaterial& m : view.materials) {
+    materials_.push_back(makeMaterial(m));
+    lobes_.push_back(std::make_unique<MaterialLobes>(m));
+  }
   for (const FlatShape& s : view.shapes)
     surfaces_.push_back({materials_[s.material].get(), toVec3(s.emission)});
   buildLights();
@@ -100,6 +103,13 @@ bool SceneCore::visible(const Hit& from, const LightSample& to) const {
   const float magnitude = std::max(lightMagnitude_, largestComponent(toLight));
   const Point end = to.p + offsetForMagnitude(magnitude) * to.n;
   return !intersector_.occluded(start.origin, end - start.origin);
+}
+
+// Materials are few.
+const MaterialLobes& SceneCore::lobesOf(const BRDF& material) const {
+  std::size_t i = 0;
+  while (materials_[i].get() != &material) ++i;
+  return *lobes_[i];
 }
 
 std::vector<Triangle> SceneCore::warmUpTriangles() const {

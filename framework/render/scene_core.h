@@ -5,6 +5,7 @@
 #pragma once
 
 #include "intersect/intersector.h"
+#include "render/material_lobes.h"
 #include "scene/flat_scene.h"
 
 #include <pathmark/brdf.h>
@@ -31,6 +32,10 @@ class SceneCore {
   std::span<const Light> lights() const { return lights_; }
   const BRDF& material(std::size_t i) const { return *materials_[i]; }
   std::size_t materialCount() const { return materials_.size(); }
+  const MaterialLobes& lobes(std::size_t i) const { return *lobes_[i]; }
+
+  // Of one of the materials.
+  const MaterialLobes& lobesOf(const BRDF& material) const;
 
   bool intersect(const Ray& ray, Hit& hit) const;
   bool visible(const Hit& from, const LightSample& to) const;
@@ -54,6 +59,7 @@ class SceneCore {
   int maxBounces_;
   Intersector intersector_;
   std::vector<std::unique_ptr<BRDF>> materials_;
+  std::vector<std::unique_ptr<MaterialLobes>> lobes_;  // of each material
   std::vector<Surface> surfaces_;
   std::vector<Point> lightVertices_;
   std::vector<Light::Face> faces_;

@@ -99,7 +99,8 @@ class RenderMemory {
 // A request that does not fit the scene gets an empty answer, which the host knows for what it is.
 void answerRender(const Message& request, const WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
-  if (!body || !state.scene || body->job.threads > kMaxThreads) return sendReply(request, {});
+  if (!body || !state.scene || body->job.threads > kMaxThreads || !isPossible(body->job.paths))
+    return sendReply(request, {});
   const auto memory = RenderMemory::map(request, *body, *state.scene);
   if (!memory) return sendReply(request, {});
   const RenderResult result = renderTiles(*state.scene, body->job, memory->film(), memory->board(),
@@ -109,7 +110,8 @@ void answerRender(const Message& request, const WorkerState& state) {
 
 void answerRecordPaths(const Message& request, const WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
-  if (!recordPaths || !body || !state.scene || body->job.threads != 1)
+  if (!recordPaths || !body || !state.scene || body->job.threads != 1 ||
+      !isPossible(body->job.paths))
     return sendReply(request, {});
   const auto memory = RenderMemory::map(request, *body, *state.scene);
   if (!memory) return sendReply(request, {});

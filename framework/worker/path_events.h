@@ -17,11 +17,13 @@ enum class PathEventKind : std::uint32_t {
   kPath = 1,     // a path begins: camera ray with origin [a] and direction [b]
   kHit,          // a ray with origin [d] has met a surface: point [a], normal [b], radiance that
                  // its front emits [c], material [integer], or -1 of a triangle of part 0
-  kMiss,         // a ray with origin [a] and direction [b] leaves the scene
+  kMiss,         // a ray with origin [a] and direction [b] leaves the scene, or is not followed
+                 // since no light is let through along it [flag]
   kDirectBegin,  // directLighting has been called for the point [a] and wo [b]
   kDirectEnd,    // ... and has returned the radiance [a]
   kLightSample,  // a point [a] of a light, normal [b], density [x] per unit area, emission [c]
-  kShadowRay,    // from [a] to the point [b] of a light: visible [flag]; what is in the way [c]
+  kShadowRay,    // from [a] to the point [b] of a light: visible [flag]; what is in the way [c],
+                 // or nothing is, and no light is let through there [integer: 1]
   kReflection,   // for wo [a] and normal [c], the direction [b] has been drawn with density [x]
   kBrdf,         // for wo [a] and wi [b], the BRDF has the value [c]
   kPdf,          // for wo [a] and wi [b], the density is [x]

@@ -77,12 +77,23 @@ class PathRecorder::Material final : public BRDF {
   std::int32_t index_;
 };
 
-PathRecorder::PathRecorder(const SceneCore& core) : core_(core) {
-  for (std::size_t i = 0; i < core.materialCount(); ++i)
-    materials_.push_back(
-        std::make_unique<Material>(*this, core.material(i), static_cast<std::int32_t>(i)));
+PathRecorder::PathRecorder(const SceneCore& core, bool filtered)
+    : core_(core), filtered_(filtered) {
+  for (std::size_t i = 0; i < core.materialCount(); ++i) {
+    addMaterial(core.material(i), i);
+    const MaterialLobes& lobes = core.lobes(i);
+    if (!filtered || !lobes.shares().hasBoth()) continue;
+    for (const Lobe lobe : {Lobe::kDiffuse, Lobe::kSpecular}) {
+      addMaterial(lobes.alone(lobe), i);
+      addMaterial(lobes.overShare(lobe), i);
+    }
+  }
   std::sort(materials_.begin(), materials_.end(),
             [](const auto& a, const auto& b) { return std::less<>()(&a->real(), &b->real()); });
+}
+
+void PathRecorder::addMaterial(const BRDF& real, std::size_t index) {
+  materials_.push_back(std::make_unique<Material>(*this, real, static_cast<std::int32_t>(index)));
 }
 
 PathRecorder::~PathRecorder() = default;
@@ -134,6 +145,13 @@ void PathRecorder::meet(const Ray& ray, Hit& hit) {
   hit.brdf = material->get();
 }
 
+void PathRecorder::miss(const Ray& ray) {
+  PathEvent event = pathEvent(PathEventKind::kMiss, ray.origin, ray.direction);
+  Hit hit;
+  event.flag = filtered_ && core_.intersect(ray, hit) ? 1 : 0;
+  add(event);
+}
+
 void PathRecorder::shadowRay(const Hit& from, const LightSample& to, bool visible) {
   PathEvent event = pathEvent(PathEventKind::kShadowRay, from.p, to.p, to.p);
   event.flag = visible ? 1 : 0;
@@ -142,6 +160,8 @@ void PathRecorder::shadowRay(const Hit& from, const LightSample& to, bool visibl
   if (!visible && core_.intersect(from.spawnRay(normalize(way)), blocker) &&
       dot(blocker.p - from.p, way) < dot(way, way))
     put(event.c, blocker.p);
+  else if (!visible && filtered_)
+    event.integer = 1;
   add(event);
 }
 

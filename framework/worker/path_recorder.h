@@ -23,7 +23,8 @@ PathEvent pathEvent(PathEventKind kind, const vec3& a, const vec3& b = vec3(0.0f
 
 class PathRecorder {
  public:
-  explicit PathRecorder(const SceneCore& core);
+  // `filtered`: a light path expression leaves out some of the light.
+  PathRecorder(const SceneCore& core, bool filtered);
   ~PathRecorder();
   PathRecorder(const PathRecorder&) = delete;
   PathRecorder& operator=(const PathRecorder&) = delete;
@@ -41,6 +42,8 @@ class PathRecorder {
 
   // Notes the hit, and gives it a BRDF that records.
   void meet(const Ray& ray, Hit& hit);
+  // Notes that there is no hit, or that it was left out.
+  void miss(const Ray& ray);
   // Notes what has been found out, and looks for what is in the way.
   void shadowRay(const Hit& from, const LightSample& to, bool visible);
   // Part 0 calls its own functions, which cannot be seen, but for the rays that leave surfaces:
@@ -55,7 +58,10 @@ class PathRecorder {
  private:
   class Material;
 
+  void addMaterial(const BRDF& real, std::size_t index);
+
   const SceneCore& core_;
+  bool filtered_;
   std::vector<std::unique_ptr<Material>> materials_;
   std::vector<Triangle> warmUp_;  // when it is first needed
   std::optional<Ray> lastRay_;    // that left a surface in part 0

@@ -6,7 +6,7 @@ namespace pathmark {
 
 RecordedRender recordPaths(const SceneCore& scene, const RenderJob& job, std::span<FilmPixel> film,
                            ProgressBoard& board, const std::function<void()>& onThreadStart) {
-  PathRecorder recorder(scene);
+  PathRecorder recorder(scene, job.paths.filters());
   RecordedRender render;
   render.result = renderTiles(scene, job, film, board, [&] {
     onThreadStart();

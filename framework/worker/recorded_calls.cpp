@@ -63,7 +63,7 @@ bool intersectRecorded(const LitScene* scene, const Ray& ray, Hit& hit) {
     if (met)
       recorder->meet(ray, hit);
     else
-      recorder->add(pathEvent(PathEventKind::kMiss, ray.origin, ray.direction));
+      recorder->miss(ray);
   }
   return met;
 }

@@ -20,11 +20,12 @@ bool positive(const std::optional<double>& error) {
 }  // namespace
 
 bool ErrorCurves::same(const Subject& a, const Subject& b) {
-  return a.scene == b.scene && a.estimator == b.estimator && sameCamera(a.camera, b.camera);
+  return a.scene == b.scene && a.estimator == b.estimator && a.paths == b.paths &&
+         sameCamera(a.camera, b.camera);
 }
 
 void ErrorCurves::begin(const Picture& picture) {
-  Subject subject{picture.scene->hash, picture.camera, picture.estimator};
+  Subject subject{picture.scene->hash, picture.camera, picture.estimator, picture.paths};
   if (subject_ && same(*subject_, subject)) {
     if (current_.points.size() > 1) before_.push_back(std::move(current_));
     if (before_.size() > kMostBefore) before_.erase(before_.begin());

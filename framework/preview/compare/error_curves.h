@@ -44,6 +44,7 @@ class ErrorCurves {
     std::string scene;
     FlatCamera camera;
     Estimator estimator = Estimator::kPath;
+    std::string paths;  // light path expression
   };
 
   static bool same(const Subject& a, const Subject& b);

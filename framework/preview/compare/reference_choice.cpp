@@ -22,6 +22,10 @@ FoundReference none(std::string why) { return {nullptr, std::move(why), {}}; }
 
 std::string sizeOf(const Image& image) { return fmt::format("{}x{}", image.width, image.height); }
 
+std::string lightOf(const std::string& paths) {
+  return paths.empty() ? "all light" : fmt::format("the light paths {}", printable(paths));
+}
+
 bool sameSize(const Image& a, const Image& b) { return a.width == b.width && a.height == b.height; }
 
 // With variances from a file that does not say of how many replicates: the fewest.
@@ -55,6 +59,11 @@ FoundReference ReferenceFinder::findShipped(const Picture& picture) {
         fmt::format("The warm-up's lights shine from both sides, and those of the "
                     "reference from the front only. {}",
                     kKeepInstead));
+  if (!picture.paths.empty())
+    return none(
+        fmt::format("The reference has all light, and this picture that of the light paths {} "
+                    "only. {}",
+                    picture.paths, kKeepInstead));
   if (!picture.fileCamera)
     return none(
         fmt::format("The camera has moved away from that of the reference: press C to put "
@@ -102,6 +111,11 @@ FoundReference ReferenceFinder::findKept(const ReferenceWish& wish, const Pictur
                     "the scene has changed. Keep this picture, or open the other scene.",
                     kept.scene->loaded.name, sizeOf(kept.image), picture.scene->loaded.name,
                     sizeOf(picture.image)));
+  if (kept.paths != picture.paths)
+    return none(
+        fmt::format("The picture that you kept has {}, and this one {}. Keep this one, or type the "
+                    "other light paths.",
+                    lightOf(kept.paths), lightOf(picture.paths)));
   if (!sameCamera(kept.camera, picture.camera))
     return none(
         "The picture that you kept was made with another camera. Keep this one, or put "
@@ -130,6 +144,7 @@ FoundReference ReferenceFinder::findFile(const ReferenceWish& wish, const Pictur
   if (loads_ != wish.loads) {
     loads_ = wish.loads;
     fileScene_.clear();
+    filePaths_.clear();
     try {
       if (imageEnding(wish.file) == ".png")
         throw ImageError(displayPath(wish.file) +
@@ -137,6 +152,7 @@ FoundReference ReferenceFinder::findFile(const ReferenceWish& wish, const Pictur
                          "files do.");
       ImageFile read = readImage(wish.file);
       fileScene_ = read.origin.sceneHash;
+      filePaths_ = read.origin.paths;
       file_ = found(std::move(read), displayPath(wish.file), ++newestId_);
     } catch (const std::exception& e) {
       file_ = none(e.what());
@@ -153,6 +169,9 @@ FoundReference ReferenceFinder::findFile(const ReferenceWish& wish, const Pictur
   if (image.variance.empty()) result.note = "It does not say how noisy it is: it counts as exact.";
   if (!fileScene_.empty() && fileScene_ != picture.scene->hash)
     result.note = "It is of another scene, or another version of this one. " + result.note;
+  if (filePaths_ != picture.paths)
+    result.note = fmt::format("It has {}, and this picture {}. {}", lightOf(filePaths_),
+                              lightOf(picture.paths), result.note);
   return result;
 }
 

@@ -69,6 +69,7 @@ class ReferenceFinder {
   std::uint64_t loads_ = 0;
   FoundReference kept_, file_;
   std::string fileScene_;  // hash that the file has; may be empty
+  std::string filePaths_;  // its light path expression
 };
 
 }  // namespace pathmark::preview

@@ -33,8 +33,8 @@ bool near(const Colour& a, const Colour& b, double tolerance, const Colour& scal
 Colour contributionOf(const ShadowRay& ray, const PathVertex& vertex) {
   const Vector way = ray.to - vertex.p;
   const float distance2 = dot(way, way);
-  if (ray.pdf == 0.0f || ray.visibility == Visibility::kBlocked || !ray.f ||
-      !faceEachOther(vertex, ray))
+  if (ray.pdf == 0.0f || ray.visibility == Visibility::kBlocked ||
+      ray.visibility == Visibility::kLeftOut || !ray.f || !faceEachOther(vertex, ray))
     return Colour(0.0f);
   const Vector wi = way / std::sqrt(distance2);
   const float cosX = dot(vertex.n, wi), cosY = -dot(ray.n, wi);

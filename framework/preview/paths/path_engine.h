@@ -26,6 +26,7 @@ struct PathRequest {
   std::shared_ptr<const CourseworkState> coursework;
   Estimator estimator = Estimator::kPath;
   SamplerKind sampler = SamplerKind::kSobol;
+  PathAutomaton automaton{};  // of the light that is let through
   std::uint64_t seed = 0;
   std::uint32_t raysPerPass = 64;
   std::uint32_t rays = 64;

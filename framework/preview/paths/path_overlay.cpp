@@ -127,6 +127,7 @@ void PathOverlay::drawVertex(const TracedPath& path, std::size_t k, bool pointed
 void PathOverlay::drawShadowRays(const PathVertex& vertex) const {
   for (const ShadowRay& ray : vertex.shadowRays) {
     if (ray.pdf == 0.0f || !faceEachOther(vertex, ray)) continue;
+    if (ray.visibility == Visibility::kLeftOut) continue;
     const glm::dvec3 from(vertex.p), to(ray.to);
     const bool blocked = ray.visibility == Visibility::kBlocked;
     const ImU32 colour = blocked ? kBlocked : kLight;

@@ -22,12 +22,14 @@ constexpr int kMostRays = 256;
 // Rays of a request are those of the picture if these are the same.
 bool madeLike(const PathRequest& request, const Picture& picture) {
   return request.estimator == picture.estimator && request.sampler == picture.sampler &&
-         request.seed == picture.seed && request.raysPerPass == picture.raysPerPass;
+         request.seed == picture.seed && request.automaton == picture.automaton &&
+         request.raysPerPass == picture.raysPerPass;
 }
 
 void makeLike(PathRequest& request, const Picture& picture) {
   request.estimator = picture.estimator;
   request.sampler = picture.sampler;
+  request.automaton = picture.automaton;
   request.seed = picture.seed;
   request.raysPerPass = picture.raysPerPass;
 }

@@ -58,7 +58,9 @@ class PathReader {
     } else if (e.kind == PathEventKind::kShadowRay) {
       for (ShadowRay& ray : rays)
         if (ray.to == vec(e.b)) {
-          ray.visibility = e.flag != 0 ? Visibility::kVisible : Visibility::kBlocked;
+          ray.visibility = e.flag != 0      ? Visibility::kVisible
+                           : e.integer != 0 ? Visibility::kLeftOut
+                                            : Visibility::kBlocked;
           ray.blocker = vec(e.c);
         }
     } else if (e.kind == PathEventKind::kBrdf) {
@@ -72,8 +74,10 @@ class PathReader {
     if (e.kind == PathEventKind::kHit) {
       path_.vertices.push_back({vec(e.d), vec(e.a), vec(e.b), vec(e.c), e.integer});
       path_.escape.reset();
+      path_.leftOut = false;
     } else if (e.kind == PathEventKind::kMiss) {
-      path_.escape = Ray{vec(e.a), vec(e.b)};
+      path_.leftOut = e.flag != 0;
+      if (!path_.leftOut) path_.escape = Ray{vec(e.a), vec(e.b)};
     } else if (vertex == nullptr) {
       return;
     } else if (e.kind == PathEventKind::kReflection) {

@@ -19,7 +19,12 @@
 
 namespace pathmark::preview {
 
-enum class Visibility { kNotAsked, kVisible, kBlocked };
+enum class Visibility {
+  kNotAsked,
+  kVisible,
+  kBlocked,
+  kLeftOut,  // by the light path expression
+};
 
 // Towards a point of a light that was chosen for lighting a vertex.
 struct ShadowRay {
@@ -71,6 +76,7 @@ struct TracedPath {
   Ray camera;
   std::vector<PathVertex> vertices{};
   std::optional<Ray> escape{};  // the last ray, if it left the scene
+  bool leftOut = false;         // it was not followed, by the light path expression
   Colour radiance{0.0f};        // returned
   int dropped = 0;              // events for which there was no room
 };

@@ -27,6 +27,7 @@ RenderJob jobFor(const PathRequest& request) {
   RenderJob job;
   job.estimator = request.estimator;
   job.sampler = request.sampler;
+  job.paths = request.automaton;
   job.seed = request.seed;
   job.raysPerPass = request.raysPerPass;
   const std::uint64_t passes = (request.rays + request.raysPerPass - 1) / request.raysPerPass;

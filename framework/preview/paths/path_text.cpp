@@ -25,6 +25,8 @@ std::string visibilityText(const PathVertex& vertex, const ShadowRay& ray,
       return fmt::format("blocked at {}", vectorText(inFile(ray.blocker, scene)));
     case Visibility::kVisible:
       return "visible";
+    case Visibility::kLeftOut:
+      return "left out by the light path expression";
     case Visibility::kNotAsked:
       break;
   }
@@ -80,6 +82,7 @@ std::string surfaceName(const PathVertex& vertex, const LoadedScene& scene) {
 std::string endOf(const TracedPath& path) {
   if (path.dropped > 0) return "too long";
   if (path.escape) return "leaves scene";
+  if (path.leftOut) return "other paths";
   if (path.vertices.empty()) return "at once";
   const PathVertex& last = path.vertices.back();
   if (last.roulette && !last.roulette->survives) return "roulette";

@@ -33,6 +33,7 @@ class CheckpointTest : public testing::Test {
     settings_.replicates = 4;
     settings_.seed = 7;
     settings_.sampler = SamplerKind::kStratified;
+    settings_.paths = "LS+DE";
     state_.film.assign(6, FilmPixel{{1.5, 2.5, 3.5}, 64.0});
     for (int k = 0; k < 2; ++k)
       addReplicate(state_.replicates, std::vector<FilmPixel>(6, {{3.0 + k, 4.0, 5.0}, 128.0}));
@@ -113,7 +114,7 @@ TEST_F(CheckpointTest, CutShortOrLongerItIsRefused) {
 TEST_F(CheckpointTest, ABitThatIsFlippedIsNoticed) {
   write();
   const std::string whole = textOf(file_);
-  constexpr std::size_t kHeader = 192, kHash = 32;
+  constexpr std::size_t kHeader = 392, kHash = 32;
   for (std::size_t i = 0; i < whole.size(); ++i) {
     const bool all = i < kHeader || i + kHash >= whole.size();
     for (int bit = all ? 0 : static_cast<int>(i % 8); bit < 8; bit += all ? 1 : 8) {
@@ -156,6 +157,23 @@ TEST_F(CheckpointTest, ImpossibleNumbersAreRefusedWithARightHash) {
     }
 }
 
+TEST_F(CheckpointTest, TextThatIsNoExpressionIsRefusedWithARightHash) {
+  write();
+  const std::string whole = textOf(file_);
+  const std::size_t at = whole.find(settings_.paths);
+  ASSERT_NE(at, std::string::npos);
+  const auto with = [&](std::string_view paths) {
+    std::string hostile = whole;
+    hostile.replace(at, paths.size(), paths);
+    writeWithHash(hostile);
+    return refusal();
+  };
+  EXPECT_EQ(with("LD+SE"), "");
+  EXPECT_EQ(with("LS+D*"), "it is damaged");
+  EXPECT_EQ(with("\033[2JE"), "it is damaged");
+  EXPECT_EQ(with(std::string_view("LDE\0E", 5)), "it is damaged");
+}
+
 TEST_F(CheckpointTest, NothingButFilesIsRead) {
   EXPECT_EQ(refusal(), "it is no file");
   std::filesystem::create_directory(file_);
@@ -190,6 +208,8 @@ TEST_F(CheckpointTest, SaysWhatDiffers) {
   says([](auto& i) { i.settings.seed = 8; }, "seed is 7, not 8");
   says([](auto& i) { i.settings.sampler = SamplerKind::kSobol; },
        "sampler is stratified, not sobol");
+  says([](auto& i) { i.settings.paths = "LDE"; }, "light paths are LS+DE, not LDE");
+  says([](auto& i) { i.settings.paths.clear(); }, "light paths are LS+DE, not of all light");
   says([](auto& i) { i.settings.width = 4; }, "size is 3x2, not 4x2");
   says([](auto& i) { i.settings.estimator = Estimator::kWarmUp; }, "--warm-up");
   says([](auto& i) { i.settings.replicates = 2; }, "4 of 128 rays per pixel, not 2 of 256");

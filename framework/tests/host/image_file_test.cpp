@@ -36,6 +36,7 @@ const ImageOrigin kOrigin{.scene =
                           .replicates = 16,
                           .seed = std::numeric_limits<std::uint64_t>::max(),
                           .sampler = "stratified",
+                          .paths = "LS+DE",
                           .seconds = 0.125};
 
 Image noisyImage(int width, int height) {
@@ -74,6 +75,7 @@ TEST(ImageFile, ExrKeepsEveryBitAndTheOrigin) {
   EXPECT_EQ(read.origin.replicates, kOrigin.replicates);
   EXPECT_EQ(read.origin.seed, kOrigin.seed);
   EXPECT_EQ(read.origin.sampler, kOrigin.sampler);
+  EXPECT_EQ(read.origin.paths, kOrigin.paths);
   EXPECT_EQ(read.origin.seconds, kOrigin.seconds);
 }
 
@@ -104,6 +106,7 @@ TEST(ImageFile, OpenExrItselfSeesChannelsAndAttributes) {
   EXPECT_EQ(text("pathmark.coursework"), kOrigin.coursework);
   EXPECT_EQ(text("pathmark.seed"), "18446744073709551615");
   EXPECT_EQ(text("pathmark.sampler"), "stratified");
+  EXPECT_EQ(text("pathmark.paths"), "LS+DE");
   EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("pathmark.raysPerPixel").value(), 1234.5);
   EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("pathmark.seconds").value(), 0.125);
   EXPECT_EQ(header.typedAttribute<Imf::IntAttribute>("pathmark.raysPerPass").value(), 64);
