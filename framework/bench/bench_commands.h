@@ -7,6 +7,8 @@ namespace pathmark::bench {
 
 void addBenchRaysCommand(CLI::App& bench, CommandAction& action);
 void addBenchRenderCommand(CLI::App& bench, CommandAction& action);
+void addBenchErrorCommand(CLI::App& bench, CommandAction& action);
+void addBenchCostCommand(CLI::App& bench, CommandAction& action);
 void addBenchPreviewCommand(CLI::App& bench, CommandAction& action);
 
 }  // namespace pathmark::bench

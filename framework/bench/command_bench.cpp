@@ -11,10 +11,12 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
   bench->require_subcommand(0, 1);
   bench->callback([bench] {
     if (bench->get_subcommands().empty())
-      throw UsageError("bench is told what to measure: rays, render or preview.");
+      throw UsageError("bench is told what to measure: rays, render, error, cost or preview.");
   });
   bench::addBenchRaysCommand(*bench, action);
   bench::addBenchRenderCommand(*bench, action);
+  bench::addBenchErrorCommand(*bench, action);
+  bench::addBenchCostCommand(*bench, action);
   bench::addBenchPreviewCommand(*bench, action);
   bench->footer(
       "Examples:\n"
@@ -22,6 +24,8 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark bench rays --large --json rays.json\n"
       "  ./pathmark bench render\n"
       "  ./pathmark bench render --peer cycles\n"
+      "  ./pathmark bench error --html error.html\n"
+      "  ./pathmark bench cost\n"
       "  ./pathmark bench preview\n\n"
       "./pathmark bench COMMAND --help says more about each.");
 }

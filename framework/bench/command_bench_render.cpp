@@ -2,9 +2,9 @@
 #include "bench/bench_commands.h"
 #include "bench/interrupted_run.h"
 #include "bench/machine.h"
+#include "bench/picture_folder.h"
 #include "bench/render_bench.h"
 #include "bench/report_file.h"
-#include "host/build_config.h"
 #include "host/exit_code.h"
 #include "host/options.h"
 #include "host/session.h"
@@ -14,14 +14,9 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
 
-#include <unistd.h>
-
 namespace pathmark::bench {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -37,29 +32,6 @@ struct BenchRenderArguments {
 
 constexpr std::array<std::pair<const char*, const char*>, 3> kScenes{
     {{"s1", "cornell_box"}, {"s2", "cornell_spheres"}, {"s3", "blob"}}};
-
-// Where pictures go: a folder of this run's own, which ends with it, unless they are to be kept.
-class PictureFolder {
- public:
-  explicit PictureFolder(const std::string& keep)
-      : path_(keep.empty() ? fs::path(build::kBuildFolder) / fmt::format("bench-{}", getpid())
-                           : fs::absolute(keep)),
-        kept_(!keep.empty()) {
-    fs::create_directories(path_);
-  }
-  ~PictureFolder() {
-    std::error_code ignored;
-    if (!kept_) fs::remove_all(path_, ignored);
-  }
-  PictureFolder(const PictureFolder&) = delete;
-  PictureFolder& operator=(const PictureFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-  bool kept_;
-};
 
 RenderPlan planFor(const BenchRenderArguments& arguments) {
   RenderPlan plan;

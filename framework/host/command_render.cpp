@@ -6,12 +6,11 @@
 #include "host/options.h"
 #include "host/output_check.h"
 #include "host/render_picture.h"
+#include "host/size_option.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <array>
-#include <charconv>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -33,18 +32,6 @@ struct RenderArguments {
   bool explain = false;
   PictureRequest picture;
 };
-
-std::array<int, 2> parseSize(const std::string& text) {
-  std::array<int, 2> size{};
-  const char *at = text.data(), *end = text.data() + text.size();
-  const auto width = std::from_chars(at, end, size[0]);
-  const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-  const auto height = std::from_chars(separated ? width.ptr + 1 : end, end, size[1]);
-  if (!separated || height.ec != std::errc{} || height.ptr != end)
-    throw UsageError(
-        fmt::format("--size {}: the size is width x height in pixels, such as 640x480.", text));
-  return size;
-}
 
 // A film pixel takes 32 bytes.
 void refuseLargeImages(const LoadedScene& scene) {

@@ -18,6 +18,7 @@ void addDemoCommand(CLI::App& app, CommandAction& action);
 void addCompareCommand(CLI::App& app, CommandAction& action);
 void addStatusCommand(CLI::App& app, CommandAction& action);
 void addContactSheetCommand(CLI::App& app, CommandAction& action);
+void addExportCommand(CLI::App& app, CommandAction& action);
 void addMeshCommand(CLI::App& app, CommandAction& action);
 void addReferenceCommand(CLI::App& app, CommandAction& action);
 void addBenchCommand(CLI::App& app, CommandAction& action);

@@ -4,6 +4,7 @@
 #include "host/build_config.h"
 #include "host/content_hash.h"
 #include "host/display_path.h"
+#include "host/lab.h"
 #include "host/object_file.h"
 #include "host/workshop.h"
 
@@ -70,6 +71,13 @@ const std::string& toolchainStamp() {
 
 std::string folderPrefix(const fs::path& folder) {
   return fs::absolute(folder).lexically_normal().string() + "/";
+}
+
+// A file that a lab does not have is that of the coursework that the lab belongs to.
+fs::path sourceOf(const fs::path& folder, std::string_view file) {
+  const fs::path own = folder / file;
+  if (fs::exists(own) || !isLab(folder)) return own;
+  return labOwner(folder) / file;
 }
 
 // What the compiler says of the copy, said of the file that people know.
@@ -332,7 +340,7 @@ CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy,
   result.folder = folder;
   result.confinement = std::move(confinement);
   for (const PartContract& part : parts())
-    result.parts.push_back({part, folder / part.file, {}, {}, {}});
+    result.parts.push_back({part, sourceOf(folder, part.file), {}, {}, {}});
   buildParts(result.parts, result.confinement);
   if (policy == Incomplete::kLeaveThemOut || (policy == Incomplete::kNoWorker && result.complete()))
     link(result, policy);

@@ -77,6 +77,7 @@ int run(int argc, char** argv) {
 #endif
   addCompareCommand(app, action);
   addContactSheetCommand(app, action);
+  addExportCommand(app, action);
   addMeshCommand(app, action);
   addReferenceCommand(app, action);
   addBenchCommand(app, action);

@@ -47,7 +47,7 @@ TEST_F(BenchCommand, SaysOnWhatItWasMeasured) {
 }
 
 TEST_F(BenchCommand, WrongCommandLinesAreSentencesAndWriteNothing) {
-  expectRefuses({}, "rays, render or preview");
+  expectRefuses({}, "rays, render, error, cost or preview");
   expectRefuses({"paint"}, "paint was not expected");
   expectRefuses({"rays", "--fast"}, "--fast was not expected; ./pathmark bench rays --help");
   expectRefuses({"rays", "--seconds", "0"}, "a number of seconds from");
@@ -57,6 +57,15 @@ TEST_F(BenchCommand, WrongCommandLinesAreSentencesAndWriteNothing) {
   expectRefuses({"render", "--peer", "mitsuba"}, "cycles is the only one");
   expectRefuses({"render", "--seeds", "1"}, "a whole number from 2");
   expectRefuses({"render", "--with", "no_such_folder"}, "there is no folder");
+  expectRefuses({"error", "cornel_box"}, "There is no scene cornel_box");
+  expectRefuses({"error", "--estimators", "unifrom"}, "or NAME=FOLDER");
+  expectRefuses({"error", "--samplers", "halton"}, "--sampler halton");
+  expectRefuses({"error", "--rays", "4,,8"}, "with commas, such as 4,16,64");
+  expectRefuses({"error", "--rays", "0"}, "from 1 to");
+  expectRefuses({"error", "--replicates", "0"}, "a whole number from 1");
+  expectRefuses({"error", "--peer", "M=none.exr,1"}, "there is no file none.exr");
+  expectRefuses({"error", "furnace", "cornell_box", "--reference", "a.exr"}, "of one scene");
+  expectRefuses({"error", "--html", "no/such/page.html"}, "there is no folder no/such");
 }
 
 TEST_F(BenchCommand, SaysWhenThePeerIsNotInstalled) {
@@ -71,7 +80,7 @@ TEST_F(BenchCommand, SaysWhenThePeerIsNotInstalled) {
 
 TEST_F(BenchCommand, HelpCarriesExamples) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"--help"}, {"rays", "--help"}, {"render", "--help"}}) {
+           {"--help"}, {"rays", "--help"}, {"render", "--help"}, {"error", "--help"}}) {
     const ProcessResult result = bench(words);
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_NE(result.output.find("Examples:"), std::string::npos) << result.output;

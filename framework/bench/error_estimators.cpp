@@ -1,0 +1,128 @@
+#include "bench/error_estimators.h"
+
+#include "host/display_path.h"
+#include "host/interrupt.h"
+#include "host/lab.h"
+#include "scene/spelling.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <system_error>
+
+namespace pathmark::bench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// All that is asked for in one go fits a pixel's pass; a lab's may be slow.
+constexpr double kSecondsWithoutAnswer = 60.0;
+
+double cpuSecondsOf(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    throw std::system_error(errno, std::generic_category(), "asking for a worker's CPU time");
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+WorkerProcess::Options workerOptions(const Coursework& coursework) {
+  WorkerProcess::Options options;
+  options.program = coursework.worker;
+  options.courseworkFolder = coursework.folder;
+  options.limits.secondsWithoutAnswer = kSecondsWithoutAnswer;
+  options.onText = [](std::string_view text) { fmt::print(stderr, "{}", text); };
+  return options;
+}
+
+AskedEstimator fromWord(const fs::path& coursework, const std::string& itself,
+                        const std::string& word) {
+  const std::size_t equals = word.find('=');
+  if (equals != std::string::npos)
+    return {word.substr(0, equals), findCoursework(word.substr(equals + 1)), true};
+  if (word == itself) return {itself, coursework, true};
+  std::vector<std::string> names = labNames(coursework);
+  if (std::find(names.begin(), names.end(), word) != names.end())
+    return {word, coursework / "labs" / word, true};
+  names.insert(names.begin(), itself);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  throw UsageError(fmt::format("--estimators {}: it is one of {}, or NAME=FOLDER.{}", word,
+                               fmt::join(names, ", "), didYouMean(word, views)));
+}
+
+void refuseName(const std::string& name) {
+  const auto isPlain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.' || c == ' ';
+  };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), isPlain))
+    throw UsageError(fmt::format(
+        "\"{}\" is no name for an estimator: it has letters, digits, spaces and _ - . only.",
+        name));
+}
+
+}  // namespace
+
+std::vector<AskedEstimator> findEstimators(const std::string& with,
+                                           const std::vector<std::string>& words) {
+  const fs::path coursework = findCoursework(with);
+  const std::string itself = courseworkName(with);
+  std::vector<AskedEstimator> asked;
+  if (words.empty()) {
+    asked.push_back({itself, coursework, true});
+    for (const std::string& lab : labNames(coursework))
+      asked.push_back({lab, coursework / "labs" / lab, false});
+  }
+  for (const std::string& word : words) asked.push_back(fromWord(coursework, itself, word));
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    refuseName(asked[k].name);
+    for (std::size_t earlier = 0; earlier < k; ++earlier)
+      if (asked[earlier].name == asked[k].name)
+        throw UsageError(fmt::format(
+            "--estimators: {} stands there twice; NAME=FOLDER gives another name.", asked[k].name));
+  }
+  return asked;
+}
+
+RunningEstimator::RunningEstimator(const Coursework& coursework, const LoadedScene& scene)
+    : scene_(scene), worker_(std::make_unique<WorkerProcess>(workerOptions(coursework))) {
+  worker_->loadScene(scene.flat);
+}
+
+std::optional<EstimatorRender> RunningEstimator::render(std::uint64_t raysPerPixel,
+                                                        SamplerKind sampler, std::uint64_t seed) {
+  RenderOptions options;
+  options.raysPerPixel = raysPerPixel;
+  options.threads = 1;
+  options.seed = seed;
+  options.sampler = sampler;
+  const double before = cpuSecondsOf(worker_->pid());
+  const RenderedImage made = renderImage(*worker_, settingsFor(scene_, options),
+                                         [](const RenderStatus&) { return !interrupted(); });
+  if (!made.complete) return std::nullopt;
+  if (const std::string sentence = invalidSentence(made, false); !sentence.empty())
+    throw WorkerError(WorkerFault::kNonsense, sentence);
+  return EstimatorRender{made.image, cpuSecondsOf(worker_->pid()) - before};
+}
+
+std::string whatIsUnwritten(const Coursework& coursework) {
+  WorkerProcess worker(workerOptions(coursework));
+  const auto isOfLab = [&](const FunctionContract& f) {
+    return isLab(coursework.folder) &&
+           fs::exists(coursework.folder / parts()[static_cast<std::size_t>(f.part)].file);
+  };
+  std::vector<FunctionContract> missing;
+  for (const FunctionContract& f : makeStubReport(worker.stubs()).unwritten)
+    if (f.function == CourseworkFunction::kTracePath ||
+        f.function == CourseworkFunction::kRenderPixel || isOfLab(f))
+      missing.push_back(f);
+  if (missing.empty()) return {};
+  return fmt::format("{} {} not written yet", listOfNames(missing),
+                     missing.size() == 1 ? "is" : "are");
+}
+
+}  // namespace pathmark::bench
