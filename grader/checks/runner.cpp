@@ -51,12 +51,14 @@ void addResult(FunctionResult& function, CheckResult result) {
   function.checks.push_back(std::move(result));
 }
 
-// Functions that the selected checks need are checked too, though nobody asked for them.
+// Functions that the selected checks need are checked too, though nobody asked for them: unless it
+// was said which functions to look at.
 bool isNeeded(const Check& check, std::span<const Check> all, const Selection& selection) {
-  return std::any_of(all.begin(), all.end(), [&](const Check& other) {
-    return selection.selects(other) &&
-           std::find(other.needs.begin(), other.needs.end(), check.function) != other.needs.end();
-  });
+  return selection.selects(check.function) &&
+         std::any_of(all.begin(), all.end(), [&](const Check& other) {
+           return selection.selects(other) && std::find(other.needs.begin(), other.needs.end(),
+                                                        check.function) != other.needs.end();
+         });
 }
 
 // Throws WorkerStopped if it may not go on.

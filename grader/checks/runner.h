@@ -21,7 +21,7 @@ struct Selection {
   bool images = true;
   bool scenes = true;  // of part 7
   std::string only;    // an id or a section, such as "3.3/samples" or "3.3"; empty: all
-  std::vector<CourseworkFunction> functions{};  // empty: all
+  std::vector<CourseworkFunction> functions{};  // no others are looked at; empty: all
 
   bool selects(const Check& check) const;
   bool selects(CourseworkFunction function) const;

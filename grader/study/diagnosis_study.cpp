@@ -108,7 +108,8 @@ void forAll(std::size_t count, unsigned threads, const StudyStep& step, const Wo
   for (std::future<void>& other : others) other.get();
 }
 
-fs::path scratchFolder() { return fs::path(build::kBuildFolder) / "study/cases"; }
+// Where the checks' study has its files too: a mistake by itself is compiled once for both.
+fs::path scratchFolder() { return fs::path(build::kBuildFolder) / "study/variants"; }
 
 CourseworkBuild solutions() {
   return buildCoursework(courseworkFolder("solutions"), Incomplete::kCompileOnly);

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <stdexcept>
 #include <system_error>
 
 namespace pathmark::study {
@@ -73,6 +74,12 @@ void note(const checks::CheckResult& result, StudyRecord& record) {
   if (status == checks::Status::kUndecided) record.undecided.push_back(idOf(*result.check));
 }
 
+CourseworkFunction functionNamed(const std::string& name) {
+  for (const FunctionContract& f : contract())
+    if (f.name == name) return f.function;
+  throw std::logic_error(name + " is no function of the contract");
+}
+
 StudyRecord runOnce(const StudySubject& subject, std::uint64_t seed,
                     const checks::Selection& selection, bool untilWrong) {
   checks::RunOptions options;
@@ -102,6 +109,7 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed, const st
   if (quick && !finder.empty()) {
     checks::Selection selection = subject.selection;
     selection.only = finder;
+    selection.functions = {functionNamed(subject.variant->function)};
     StudyRecord record = runOnce(subject, seed, selection, true);
     if (!record.failed.empty()) return record;
   }
