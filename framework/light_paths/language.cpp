@@ -65,7 +65,7 @@ class Steps {
 
 // The subset construction (Rabin & Scott 1959). Row 0 is the empty set.
 Table determined(const Steps& steps, const LobesPresent& lobes) {
-  constexpr std::size_t kMostSets = 8192;
+  constexpr std::size_t kMostSets = 2048;
   std::vector<Letters> sets{0};
   std::map<Letters, std::size_t> known{{0, 0}};
   const auto rowOf = [&](Letters set) {

@@ -98,7 +98,7 @@ TEST(PathAutomaton, BindsRepetitionMoreThanSequenceAndThatMoreThanChoice) {
 
 TEST(PathAutomaton, LetsThePathsOfRandomExpressionsThrough) {
   RandomNumbers random(31);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 150; ++k) {
     const std::string text = randomExpression(random, 3);
     expectItsPaths(text, automatonFor(PathExpression(text)));
     if (HasFatalFailure()) return;

@@ -110,6 +110,22 @@ TEST_F(ReferenceChoice, TheWarmUpIsASentence) {
   expectNone(find(warmUp), "warm-up");
 }
 
+TEST_F(ReferenceChoice, IsForThePicturesOwnLightPathsOnly) {
+  ship(scene_->hash);
+  Picture caustics = picture();
+  caustics.paths = "LS+DE";
+  expectNone(find(caustics), "The reference has all light");
+  EXPECT_NE(keep(caustics).reference, nullptr);
+  expectNone(find(picture()), "has the light paths LS+DE, and this one all light");
+  writeImage(folder_ / "a.exr", gradientImage(kWidth, kHeight, 0.01f), 1.0,
+             {.replicates = 16, .paths = "LE"});
+  const FoundReference file = find(folder_ / "a.exr");
+  ASSERT_NE(file.reference, nullptr);
+  EXPECT_NE(file.note.find("It has the light paths LE, and this picture all light."),
+            std::string::npos)
+      << file.note;
+}
+
 TEST_F(ReferenceChoice, AKeptPictureIsAReferenceForItsCameraOnly) {
   Picture kept = picture();
   kept.fileCamera = false;

@@ -1,6 +1,7 @@
 // Paths of the solutions, and of solutions with a mistake.
 #include "host/session.h"
 #include "preview/paths/path_recording.h"
+#include "preview/paths/path_text.h"
 #include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 
@@ -48,6 +49,38 @@ void record(PathRequest request, const Look& look) {
       EXPECT_EQ(answer.remark, "");
       look(answer);
     }
+}
+
+// With an expression they are the paths of the filtered picture, and say what was left out.
+TEST(SolvedPathsOfAnExpression, AddUpToThePictureAndTellWhatIsLeftOut) {
+  PathRequest request = requestFor("cornell_phong", test::solutions().folder);
+  RenderOptions options;
+  options.raysPerPixel = 64;
+  options.paths = PathExpression("LD.*E|LSSE");
+  const LoadedScene& scene = request.scene->loaded;
+  request.automaton = settingsFor(scene, options).automaton;
+  const Image image = renderScene(test::solutions(), scene, options).rendered.image;
+  int leftOut = 0, shadowRaysLeftOut = 0, visible = 0;
+  record(request, [&](const PathAnswer& answer) {
+    const auto pixel = image.pixel(answer.request.column, answer.request.row);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(answer.mean[c], pixel[static_cast<std::size_t>(c)]);
+    for (const PathAccount& account : answer.accounts) {
+      EXPECT_TRUE(account.fits);
+      for (const std::string& remark : account.remarks) ADD_FAILURE() << remark;
+    }
+    for (const TracedPath& path : answer.paths) {
+      leftOut += path.leftOut ? 1 : 0;
+      if (path.leftOut) EXPECT_EQ(endOf(path), "other paths");
+      for (const PathVertex& vertex : path.vertices)
+        for (const ShadowRay& ray : vertex.shadowRays) {
+          shadowRaysLeftOut += ray.visibility == Visibility::kLeftOut ? 1 : 0;
+          visible += ray.visibility == Visibility::kVisible ? 1 : 0;
+        }
+    }
+  });
+  EXPECT_GT(leftOut, 0);
+  EXPECT_GT(shadowRaysLeftOut, 0);
+  EXPECT_GT(visible, 0);
 }
 
 class SolvedPaths : public testing::TestWithParam<const char*> {};

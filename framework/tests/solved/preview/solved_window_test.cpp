@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <utility>
 
 namespace pathmark::test {
 namespace {
@@ -20,6 +21,20 @@ int bluePixels(const Image& window, int top, int bottom) {
     for (int column = kPanelLeft; column < window.width; ++column) {
       const auto pixel = window.pixel(column, row);
       count += pixel[2] > 0.3f && pixel[2] > 2.0f * pixel[0] ? 1 : 0;
+    }
+  return count;
+}
+
+// The middle of the field, without a window manager's frame.
+constexpr std::pair<int, int> kPathsField{950, 400};
+
+// Of the panels: sentences about mistakes.
+int orangePixels(const Image& window) {
+  int count = 0;
+  for (int row = 0; row < window.height; ++row)
+    for (int column = kPanelLeft; column < window.width; ++column) {
+      const auto pixel = window.pixel(column, row);
+      count += pixel[0] > 0.5f && pixel[2] < 0.3f * pixel[0] ? 1 : 0;
     }
   return count;
 }
@@ -75,6 +90,27 @@ TEST(PreviewPanels, CompareWithTheReference) {
   const Image compared = windowOf(display, {"--with", "solutions", "--tab", "compare"});
   // The curve of errors.
   EXPECT_GT(bluePixels(compared, 500, 690), 50);
+}
+
+// What is typed is shown at once, but for what is no expression.
+TEST(PreviewPanels, ShowTheLightPathsThatAreTyped) {
+  const VirtualDisplay display;
+  RealWindow window(display,
+                    {"cornell_phong", "--with", "solutions", "--tab", "view", "--after-rays", "4"});
+  window.waitForTitle(" 4 rays");
+  const Image all = window.screenshot();
+  window.click(kPathsField.first, kPathsField.second);
+  for (const char* key : {"L", "S", "E"}) window.press(key);
+  EXPECT_TRUE(window.waitForTitle("light paths LSE"));
+  EXPECT_TRUE(waitFor([&] {
+    return meanOf(window.screenshot(), 200, 150, 400, 500)[0] <
+           0.2 * meanOf(all, 200, 150, 400, 500)[0];
+  }));
+  window.press("D");
+  EXPECT_TRUE(waitFor([&] { return orangePixels(window.screenshot()) > 100; }));
+  EXPECT_NE(window.title().find("light paths LSE"), std::string::npos) << window.title();
+  for (int k = 0; k < 4; ++k) window.press("BackSpace");
+  EXPECT_TRUE(window.waitForTitleWithout("light paths"));
 }
 
 // On the left of the line is the noisy picture, on its right the reference; the camera stays.
