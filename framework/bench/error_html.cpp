@@ -24,9 +24,11 @@ LogChart chartOf(const SceneSummary& scene) {
                  {},
                  -1.0};
   std::vector<std::string> estimators, samplers;
+  for (const CurveSummary& curve : scene.curves)
+    if (!curve.sampler.empty()) indexIn(samplers, curve.sampler);
   for (const CurveSummary& curve : scene.curves) {
     ChartLine line;
-    line.name = curve.name();
+    line.name = samplers.size() > 1 ? curve.name() : curve.estimator;
     line.colour = indexIn(estimators, curve.estimator);
     line.kind = curve.sampler.empty() ? 0 : indexIn(samplers, curve.sampler);
     if (std::isfinite(curve.slope.value)) line.note = slopeWords(curve.slope);

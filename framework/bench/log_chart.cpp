@@ -12,32 +12,34 @@ namespace pathmark::bench {
 
 namespace {
 
-constexpr double kWidth = 760.0, kLeft = 66.0, kPlotRight = 480.0, kTop = 30.0, kBottom = 46.0;
+constexpr double kWidth = 800.0, kLeft = 66.0, kPlotRight = 480.0, kTop = 30.0, kBottom = 46.0;
 constexpr double kLeastPlot = 300.0, kLegendLine = 17.0;
 constexpr int kColours = 8;
 
 // Colours that all eyes can tell apart (Okabe & Ito 2008); on a dark page the darkest are lighter.
 constexpr std::string_view kColourRules = R"(
 .chart { --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #b8578f; --c4: #c98a00; --c5: #2f9bd6;
-  --c6: #6b6b6b; --c7: #7a4fbf; --chart-ink: #1a1f25; --chart-soft: #56616c; --chart-grid: #d6dbe1; }
+  --c6: #6b6b6b; --c7: #7a4fbf; --chart-ink: #1a1f25; --chart-soft: #56616c; --chart-grid: #d6dbe1;
+  --chart-back: #fff; }
 )";
 constexpr std::string_view kDarkRules = R"(
 @media screen and (prefers-color-scheme: dark) {
   .chart { --c0: #58aef0; --c1: #ff8a4c; --c2: #35c79b; --c3: #e79bc6; --c4: #f0b93a; --c5: #8fd0f7;
     --c6: #b5b5b5; --c7: #b79af0; --chart-ink: #e7eaed; --chart-soft: #a0abb6;
-    --chart-grid: #373e46; }
+    --chart-grid: #373e46; --chart-back: #1b1f24; }
 }
 )";
 constexpr std::string_view kShapeRules = R"(
 .chart { font: 12px system-ui, "DejaVu Sans", Verdana, sans-serif; }
 .chart text { fill: var(--chart-ink); }
-.chart .soft { fill: var(--chart-soft); }
+.chart .faint { fill: var(--chart-soft); }
 .chart .title { font-size: 14px; font-weight: 600; }
 .chart .grid { stroke: var(--chart-grid); fill: none; }
 .chart .axis { stroke: var(--chart-soft); fill: none; }
 .chart .guide { stroke: var(--chart-soft); fill: none; stroke-dasharray: 1 4; }
 .chart .line { fill: none; stroke-width: 1.8; stroke-linejoin: round; }
 .chart .bar { fill: none; stroke-width: 1.2; }
+.chart .hollow { fill: var(--chart-back); stroke-width: 1.6; }
 .chart .k1 { stroke-dasharray: 7 4; }
 .chart .k2 { stroke-dasharray: 2 3; }
 .chart .s0 { stroke: var(--c0); } .chart .f0 { fill: var(--c0); }
@@ -127,12 +129,12 @@ void drawAxes(Drawing& out, const LogChart& chart, const Frame& f) {
   for (const double tick : f.x.ticks)
     out.add(
         "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/>"
-        "<text class=\"soft\" x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"middle\">{4}</text>\n",
+        "<text class=\"faint\" x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"middle\">{4}</text>\n",
         f.atX(tick), kTop, f.bottom(), f.bottom() + 16.0, tickLabel(tick));
   for (const double tick : f.y.ticks)
     out.add(
         "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}H{2:.1f}\"/>"
-        "<text class=\"soft\" x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
+        "<text class=\"faint\" x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
         kLeft, f.atY(tick), kPlotRight, kLeft - 7.0, f.atY(tick) + 4.0, tickLabel(tick));
   out.add("<path class=\"axis\" d=\"M{0:.1f} {1:.1f}V{2:.1f}H{3:.1f}\"/>\n", kLeft, kTop,
           f.bottom(), kPlotRight);
@@ -153,15 +155,21 @@ void drawGuide(Drawing& out, const LogChart& chart, const Frame& f) {
           f.atX(f.x.high), f.atY(y1));
 }
 
-void drawMark(Drawing& out, const ChartLine& line, double x, double y) {
+// After the last colour they begin again, with hollow marks.
+std::string markClass(const ChartLine& line) {
   const int colour = line.colour % kColours;
+  return line.colour < kColours ? fmt::format("f{}", colour) : fmt::format("hollow s{}", colour);
+}
+
+void drawMark(Drawing& out, const ChartLine& line, double x, double y) {
+  const std::string kind = markClass(line);
   if (line.kind % 3 == 0)
-    out.add("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.2\"/>", colour, x, y);
+    out.add("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.2\"/>", kind, x, y);
   else if (line.kind % 3 == 1)
-    out.add("<rect class=\"f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"6\" height=\"6\"/>", colour,
+    out.add("<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"6\" height=\"6\"/>", kind,
             x - 3.0, y - 3.0);
   else
-    out.add("<path class=\"f{}\" d=\"M{:.1f} {:.1f}l4 7h-8z\"/>", colour, x, y - 4.2);
+    out.add("<path class=\"{}\" d=\"M{:.1f} {:.1f}l4 7h-8z\"/>", kind, x, y - 4.2);
 }
 
 void drawLine(Drawing& out, const ChartLine& line, const Frame& f) {
@@ -189,7 +197,7 @@ void drawLegend(Drawing& out, const LogChart& chart) {
     out.add("<path class=\"line s{} k{}\" d=\"M{:.1f} {:.1f}h26\"/>", line.colour % kColours,
             line.kind % 3, x, y);
     drawMark(out, line, x + 13.0, y);
-    out.add("<text x=\"{:.1f}\" y=\"{:.1f}\">{} <tspan class=\"soft\">{}</tspan></text>\n",
+    out.add("<text x=\"{:.1f}\" y=\"{:.1f}\">{} <tspan class=\"faint\">{}</tspan></text>\n",
             x + 33.0, y + 4.0, escaped(line.name), escaped(line.note));
     y += kLegendLine;
   }

@@ -30,11 +30,12 @@ class XmlText {
   fmt::memory_buffer text_;
 };
 
-std::string triple(const glm::dvec3& v) {
-  return fmt::format("{:.9g}, {:.9g}, {:.9g}", v.x, v.y, v.z);
-}
+// In the shortest form that is the same float. A sum of 0 avoids "-0".
 std::string triple(const Float3& v) {
-  return fmt::format("{:.9g}, {:.9g}, {:.9g}", v[0], v[1], v[2]);
+  return fmt::format("{}, {}, {}", v[0] + 0.0f, v[1] + 0.0f, v[2] + 0.0f);
+}
+std::string triple(const glm::dvec3& v) {
+  return triple(Float3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
 }
 
 void writeHead(XmlText& out, const WorldScene& scene, const ExportRequest& request) {
@@ -45,7 +46,7 @@ void writeHead(XmlText& out, const WorldScene& scene, const ExportRequest& reque
   out.line("  <integer name=\"max_depth\" value=\"{}\"/>", scene.maxBounces + 1);
   out.line("</integrator>");
   out.line("<sensor type=\"perspective\">");
-  out.line("  <float name=\"fov\" value=\"{:.9g}\"/>", c.fieldOfView);
+  out.line("  <float name=\"fov\" value=\"{}\"/>", static_cast<float>(c.fieldOfView));
   out.line("  <string name=\"fov_axis\" value=\"y\"/>");
   out.line("  <transform name=\"to_world\">");
   out.line("    <lookat origin=\"{}\" target=\"{}\" up=\"{}\"/>", triple(c.eye), triple(c.target),

@@ -27,11 +27,12 @@ class PbrtText {
   fmt::memory_buffer text_;
 };
 
-std::string triple(const glm::dvec3& v) {
-  return fmt::format("{:.9g} {:.9g} {:.9g}", v.x, v.y, v.z);
-}
+// In the shortest form that is the same float: that is what pbrt keeps. A sum of 0 avoids "-0".
 std::string triple(const Float3& v) {
-  return fmt::format("{:.9g} {:.9g} {:.9g}", v[0], v[1], v[2]);
+  return fmt::format("{} {} {}", v[0] + 0.0f, v[1] + 0.0f, v[2] + 0.0f);
+}
+std::string triple(const glm::dvec3& v) {
+  return triple(Float3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
 }
 
 // A comment ends with its line.
@@ -53,7 +54,8 @@ void writeHead(PbrtText& out, const WorldScene& scene, const ExportRequest& requ
   const WorldCamera& c = scene.camera;
   out.line("Scale -1 1 1");
   out.line("LookAt {}  {}  {}", triple(c.eye), triple(c.target), triple(c.up));
-  out.line("Camera \"perspective\" \"float fov\" [ {:.9g} ]", shorterFieldOfView(c));
+  out.line("Camera \"perspective\" \"float fov\" [ {} ]",
+           static_cast<float>(shorterFieldOfView(c)));
   out.line("Film \"rgb\" \"integer xresolution\" [ {} ] \"integer yresolution\" [ {} ]", c.width,
            c.height);
   out.line("  \"string filename\" \"{}.exr\" \"bool savefp16\" false", request.stem);
@@ -68,7 +70,7 @@ void writeHead(PbrtText& out, const WorldScene& scene, const ExportRequest& requ
 
 void writePhong(PbrtText& out, std::size_t number, const FlatMaterial& m) {
   const PhongMixture mixture = phongMixture(m);
-  out.line("# Phong: Kd {}, Ks {}, exponent {:.9g}", triple(m.kd), triple(m.ks), m.exponent);
+  out.line("# Phong: Kd {}, Ks {}, exponent {}", triple(m.kd), triple(m.ks), m.exponent);
   out.line(
       "MakeNamedMaterial \"m{} diffuse\" \"string type\" \"diffuse\" \"rgb reflectance\" [ {} ]",
       number, triple(mixture.diffuse));

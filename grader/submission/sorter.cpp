@@ -175,6 +175,17 @@ bool Sorter::belongsToTheProject(const Candidate& candidate) const {
   return false;
 }
 
+// Whether the file lies in a lab, COURSEWORK/labs/NAME, of a coursework that has been handed in as
+// well: labs are not marked.
+bool Sorter::belongsToALab(const Candidate& candidate) const {
+  const Path folder = candidate.folder();
+  if (folder.size() < 2 || folder[folder.size() - 2] != "labs") return false;
+  const Path owner(folder.begin(), folder.end() - 2);
+  return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& other) {
+    return other.folder() == owner && !partName(other.path.back()).empty();
+  });
+}
+
 std::string Sorter::sceneTarget(const Candidate& candidate, const std::set<Path>& folders) const {
   for (const Path& folder : folders) {
     if (candidate.path.size() <= folder.size() ||
@@ -237,7 +248,7 @@ Collected Sorter::finish() {
     const std::string name = partName(candidate.path.back());
     if (name.empty()) {
       others.push_back(&candidate);
-    } else if (belongsToTheProject(candidate)) {
+    } else if (belongsToTheProject(candidate) || belongsToALab(candidate)) {
       ++ignored_;
     } else {
       byTarget[name].push_back(&candidate);

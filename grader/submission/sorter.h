@@ -44,6 +44,7 @@ class Sorter {
   std::size_t largest(const std::string& name) const;
   void keep(Path path, const Entry& entry, const ReadEntry& read);
   bool belongsToTheProject(const Candidate& candidate) const;
+  bool belongsToALab(const Candidate& candidate) const;
   std::string sceneTarget(const Candidate& candidate, const std::set<Path>& folders) const;
   void decide(const std::string& target, const std::vector<const Candidate*>& candidates,
               Collected& collected);

@@ -93,6 +93,18 @@ TEST_F(Collecting, TakesOnlyStudentOfAWholeProject) {
   EXPECT_EQ(project.remarks.size(), 2u) << allRemarks(project);  // what is missing, what is ignored
 }
 
+TEST_F(Collecting, TakesNoLabForTheCoursework) {
+  const Collected student = collected(MadeArchive()
+                                          .file("student/part3_lambertian.cpp", "mine")
+                                          .file("student/labs/uniform/part3_lambertian.cpp", "lab")
+                                          .file("student/labs/uniform/part4_phong.cpp", "lab"));
+  EXPECT_EQ(names(student), Names{kPart3});
+  EXPECT_EQ(student.files.at(kPart3), "mine");
+  // A folder of that name that belongs to no coursework is one like others.
+  EXPECT_EQ(names(collected(MadeArchive().file("labs/week_3/part3_lambertian.cpp"))),
+            Names{kPart3});
+}
+
 TEST_F(Collecting, RefusesTwoDifferentFilesOfOneName) {
   const Collected two = collected(MadeArchive()
                                       .file(kPart4)
