@@ -14,7 +14,7 @@ namespace pathmark::bench {
 inline std::string threeDigits(double value) {
   if (!std::isfinite(value)) return "-";
   const double size = std::abs(value);
-  if (size >= 999.5)
+  if (size >= 99.95)
     return size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.2e}", value);
   if (size < 0.00995 && size > 0.0) return fmt::format("{:.2e}", value);
   return fmt::format("{:#.3g}", value);
