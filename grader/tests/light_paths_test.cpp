@@ -66,7 +66,7 @@ std::vector<Variant> correctOnes() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, RightButDifferent, testing::ValuesIn(correctOnes()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tried) { return tried.param.name; });
 
 }  // namespace
 }  // namespace pathmark::test

@@ -70,7 +70,9 @@ TEST(SolvedPathsOfAnExpression, AddUpToThePictureAndTellWhatIsLeftOut) {
     }
     for (const TracedPath& path : answer.paths) {
       leftOut += path.leftOut ? 1 : 0;
-      if (path.leftOut) EXPECT_EQ(endOf(path), "other paths");
+      if (path.leftOut) {
+        EXPECT_EQ(endOf(path), "other paths");
+      }
       for (const PathVertex& vertex : path.vertices)
         for (const ShadowRay& ray : vertex.shadowRays) {
           shadowRaysLeftOut += ray.visibility == Visibility::kLeftOut ? 1 : 0;
