@@ -113,14 +113,14 @@ TEST(ExportWorld, CoordinatesAreThoseOfTheFile) {
     "camera": {"eye": [1000000, 0, 0.003], "target": [1000000, 0, 0], "up": [0, 1, 0],
                "fieldOfView": 45},
     "materials": {"white": {"type": "lambertian", "Kd": [0.5, 0.5, 0.5]}},
-    "shapes": [{"type": "sphere", "material": "white", "centre": [1000000, 0.25, 0],
+    "shapes": [{"type": "sphere", "material": "white", "centre": [1000000, 0.00025, 0],
                 "radius": 0.001}]})";
   const LoadedScene scene = loadScene(SceneSource{"far.json", text});
   ASSERT_NE(scene.normalisation.shift[0], 0.0);
   const WorldScene world = worldScene(scene);
   EXPECT_NEAR(world.camera.eye.x, 1e6, 1e-6);
   EXPECT_NEAR(world.camera.eye.z, 0.003, 1e-7);
-  EXPECT_NEAR(world.spheres.at(0).centre.y, 0.25, 1e-6);
+  EXPECT_NEAR(world.spheres.at(0).centre.y, 0.00025, 1e-9);
   EXPECT_NEAR(world.spheres.at(0).radius, 0.001, 1e-9);
 }
 

@@ -115,7 +115,8 @@ TEST_F(ReferenceChoice, IsForThePicturesOwnLightPathsOnly) {
   Picture caustics = picture();
   caustics.paths = "LS+DE";
   expectNone(find(caustics), "The reference has all light");
-  EXPECT_NE(keep(caustics).reference, nullptr);
+  keep(caustics);
+  EXPECT_NE(find(caustics).reference, nullptr);
   expectNone(find(picture()), "has the light paths LS+DE, and this one all light");
   writeImage(folder_ / "a.exr", gradientImage(kWidth, kHeight, 0.01f), 1.0,
              {.replicates = 16, .paths = "LE"});

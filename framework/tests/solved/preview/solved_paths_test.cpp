@@ -56,7 +56,7 @@ TEST(SolvedPathsOfAnExpression, AddUpToThePictureAndTellWhatIsLeftOut) {
   PathRequest request = requestFor("cornell_phong", test::solutions().folder);
   RenderOptions options;
   options.raysPerPixel = 64;
-  options.paths = PathExpression("LD.*E|LSSE");
+  options.paths = PathExpression("LDE|LSSE");
   const LoadedScene& scene = request.scene->loaded;
   request.automaton = settingsFor(scene, options).automaton;
   const Image image = renderScene(test::solutions(), scene, options).rendered.image;
