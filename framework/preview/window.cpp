@@ -156,7 +156,10 @@ void Window::drawFrame(const std::function<void(const std::vector<KeyPress>&)>& 
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
-  if (ImGui::GetIO().WantTextInput) keys_.clear();
+  // What a text field takes for itself; it has no use for function keys.
+  if (ImGui::GetIO().WantTextInput)
+    std::erase_if(keys_,
+                  [](const KeyPress& k) { return k.key < GLFW_KEY_F1 || k.key > GLFW_KEY_F25; });
   draw(keys_);
   keys_.clear();
   ImGui::Render();
