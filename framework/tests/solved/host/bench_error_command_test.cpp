@@ -207,11 +207,14 @@ TEST_F(ExportCommand, MitsubasSceneIsWellFormedAndComplete) {
   int spheres = 0, lights = 0;
   for (const MarkupElement& e : xml) {
     if (e.name == "bsdf" && e.attributes.contains("id")) materials.insert(e.attributes.at("id"));
-    if (e.name == "ref") EXPECT_TRUE(materials.contains(e.attributes.at("id")));
+    if (e.name == "ref") {
+      EXPECT_TRUE(materials.contains(e.attributes.at("id")));
+    }
     spheres += e.name == "shape" && e.attributes.at("type") == "sphere" ? 1 : 0;
     lights += e.name == "emitter" ? 1 : 0;
-    if (e.name == "string" && e.attributes.at("name") == "filename")
+    if (e.name == "string" && e.attributes.at("name") == "filename") {
       EXPECT_TRUE(std::filesystem::exists(folder_ / e.attributes.at("value")));
+    }
   }
   EXPECT_EQ(spheres, 3);
   EXPECT_EQ(lights, 1);
