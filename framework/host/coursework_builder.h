@@ -1,9 +1,9 @@
 // buildCoursework: from a folder of coursework files to a worker program.
 //
 // Only the expected file names are compiled, each by itself, from the bytes that were read once;
-// other files of the folder cannot be included; what a lab (lab.h) does not change is taken from the
-// coursework that it belongs to. Objects and workers are kept by the hash of what
-// they were made from, so that only what changed is compiled again.
+// other files of the folder cannot be included; what a lab (lab.h) does not change is taken from
+// the coursework that it belongs to. Objects and workers are kept by the hash of what they were
+// made from, so that only what changed is compiled again.
 #pragma once
 
 #include "host/confinement.h"
