@@ -168,11 +168,13 @@ void addMeasureOptions(CLI::App& command, BenchErrorArguments& arguments) {
                   "The coursework by its name, its labs by theirs, or NAME=FOLDER, with commas "
                   "(default: the coursework and all its labs)")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAMES");
   command
       .add_option("--samplers", arguments.samplers,
                   "sobol, stratified, pcg, with commas (default: sobol)")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAMES");
   command.add_option("--rays", arguments.rays, "Rays per pixel, with commas (default: 4,16,64)")
       ->type_name("NUMBERS");

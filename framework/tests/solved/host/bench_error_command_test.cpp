@@ -136,6 +136,14 @@ TEST_F(BenchErrorCommand, InterruptedItShowsWhatThereIs) {
   EXPECT_GE(report.at("runs").size(), 2u);
 }
 
+TEST_F(BenchErrorCommand, AListTakesOneWordSoThatAScenePutBehindItIsAScene) {
+  EXPECT_EQ(
+      bench({"error", "--size", "16x16", "--reference-rays", "512", "--rays", "1", "--replicates",
+             "1", "--samplers", "pcg,sobol", "--estimators", "solutions", "cornell_box"})
+          .exitCode,
+      0);
+}
+
 TEST_F(BenchErrorCommand, TheTimeIsKept) {
   const ProcessResult result =
       bench(words({"--estimators", "solutions", "--rays", "64", "--replicates", "10000",
