@@ -61,7 +61,8 @@ void answerLoadScene(const Message& request, WorkerState& state) {
     state.sceneBlock = SharedBlock::map(request.descriptor, body->bytes, false);
     if (state.sceneBlock) {
       if (const auto view = viewScene(state.sceneBlock->bytes())) {
-        state.scene = std::make_unique<SceneCore>(*view, ShadowOrigins::kSurfaces);
+        state.scene =
+            std::make_unique<SceneCore>(*view, ShadowOrigins::kSurfaces, Skips(body->skips));
         reply.understood = 1;
       }
     }

@@ -59,7 +59,9 @@ struct Hello {
 };
 
 struct LoadSceneRequest {
-  std::uint64_t bytes = 0;  // of the block behind the descriptor
+  std::uint64_t bytes = 0;    // of the block behind the descriptor
+  std::uint32_t skips = ~0u;  // Skips; of renders only
+  std::uint32_t reserved = 0;
 };
 
 struct LoadSceneReply {
