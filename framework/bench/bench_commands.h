@@ -10,5 +10,7 @@ void addBenchRenderCommand(CLI::App& bench, CommandAction& action);
 void addBenchErrorCommand(CLI::App& bench, CommandAction& action);
 void addBenchCostCommand(CLI::App& bench, CommandAction& action);
 void addBenchPreviewCommand(CLI::App& bench, CommandAction& action);
+void addBenchSkipCommand(CLI::App& bench, CommandAction& action);
+void addBenchStressCommand(CLI::App& bench, CommandAction& action);
 
 }  // namespace pathmark::bench

@@ -7,17 +7,21 @@
 namespace pathmark {
 
 void addBenchCommand(CLI::App& app, CommandAction& action) {
-  CLI::App* bench = app.add_subcommand("bench", "Measure how fast rays and renders are");
+  CLI::App* bench =
+      app.add_subcommand("bench", "Measure how fast rays and renders are, and how far they hold");
   bench->require_subcommand(0, 1);
   bench->callback([bench] {
     if (bench->get_subcommands().empty())
-      throw UsageError("bench is told what to measure: rays, render, error, cost or preview.");
+      throw UsageError(
+          "bench is told what to measure: rays, render, error, cost, preview, skip or stress.");
   });
   bench::addBenchRaysCommand(*bench, action);
   bench::addBenchRenderCommand(*bench, action);
   bench::addBenchErrorCommand(*bench, action);
   bench::addBenchCostCommand(*bench, action);
   bench::addBenchPreviewCommand(*bench, action);
+  bench::addBenchSkipCommand(*bench, action);
+  bench::addBenchStressCommand(*bench, action);
   bench->footer(
       "Examples:\n"
       "  ./pathmark bench rays\n"
@@ -26,7 +30,9 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark bench render --peer cycles\n"
       "  ./pathmark bench error --html error.html\n"
       "  ./pathmark bench cost\n"
-      "  ./pathmark bench preview\n\n"
+      "  ./pathmark bench preview\n"
+      "  ./pathmark bench skip cornell_box\n"
+      "  ./pathmark bench stress --quick\n\n"
       "./pathmark bench COMMAND --help says more about each.");
 }
 

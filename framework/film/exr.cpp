@@ -91,6 +91,10 @@ void storeOrigin(Imf::Header& header, const ImageOrigin& origin) {
     header.insert("pathmark.sampler", Imf::StringAttribute(origin.sampler));
   if (!origin.paths.empty()) header.insert("pathmark.paths", Imf::StringAttribute(origin.paths));
   header.insert("pathmark.seconds", Imf::DoubleAttribute(origin.seconds));
+  if (origin.targetError > 0.0) {
+    header.insert("pathmark.targetError", Imf::DoubleAttribute(origin.targetError));
+    header.insert("pathmark.worstTileError", Imf::DoubleAttribute(origin.worstTileError));
+  }
 }
 
 // Leaves `value` as it is where the attribute is not there.
@@ -118,6 +122,8 @@ ImageOrigin originFrom(const Imf::Header& header) {
   find<Imf::StringAttribute>(header, "pathmark.paths", origin.paths);
   find<Imf::DoubleAttribute>(header, "pathmark.raysPerPixel", origin.raysPerPixel);
   find<Imf::DoubleAttribute>(header, "pathmark.seconds", origin.seconds);
+  find<Imf::DoubleAttribute>(header, "pathmark.targetError", origin.targetError);
+  find<Imf::DoubleAttribute>(header, "pathmark.worstTileError", origin.worstTileError);
   origin.raysPerPass = countFrom(header, "pathmark.raysPerPass", origin.raysPerPass);
   origin.replicates = countFrom(header, "pathmark.replicates", origin.replicates);
   const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), origin.seed);

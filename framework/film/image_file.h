@@ -26,6 +26,8 @@ struct ImageOrigin {
   std::string sampler{};  // its name; empty if it is not known
   std::string paths{};    // light path expression; empty: all light, or it is not known
   double seconds = 0.0;   // of rendering
+  // Of a picture made to a stated error: the wanted one and that of the worst tile, both relative.
+  double targetError = 0.0, worstTileError = 0.0;
 };
 
 struct ImageFile {

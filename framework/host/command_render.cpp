@@ -1,5 +1,7 @@
 // pathmark render: one picture of one scene.
 #include "film/image_file.h"
+#include "host/adaptive_picture.h"
+#include "host/adaptive_render.h"
 #include "host/commands.h"
 #include "host/exit_code.h"
 #include "host/explain_render.h"
@@ -20,6 +22,8 @@ namespace pathmark {
 
 namespace {
 
+constexpr std::int64_t kMostRaysForTarget = 16384;
+
 struct RenderArguments {
   std::string scene;
   std::string with = "student";
@@ -30,6 +34,7 @@ struct RenderArguments {
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
   bool explain = false;
+  std::string targetError, rayMap;
   PictureRequest picture;
 };
 
@@ -59,33 +64,70 @@ void noteVariance(const std::filesystem::path& output, const RenderOptions& opti
                output.string());
 }
 
+// What cannot be had together with --target-error.
+void refuseWithTargetError(const RenderArguments& arguments) {
+  const auto refuse = [](const char* option, const char* why) {
+    throw UsageError(fmt::format("--target-error and {} do not go together: {}.", option, why));
+  };
+  if (arguments.picture.options.replicates > 1)
+    refuse("--replicates", "the picture is made in four groups anyway, which tell its variance");
+  if (arguments.picture.checkpoints.resume || arguments.picture.checkpoints.keep)
+    refuse(arguments.picture.checkpoints.resume ? "--resume" : "--keep-checkpoint",
+           "such a render keeps no checkpoint, since how many rays are needed is decided anew");
+}
+
+int renderToStatedError(const RenderArguments& arguments, const LoadedScene& scene) {
+  const double error = parseTargetError(arguments.targetError);
+  const std::uint64_t pixels = settingsFor(scene, arguments.picture.options).pixels();
+  if (!arguments.rayMap.empty()) refuseOutput(arguments.rayMap, pixels);
+  return renderToTarget(prepareCoursework(arguments.with), scene,
+                        {arguments.output, arguments.picture.options, error, arguments.rayMap});
+}
+
 int render(RenderArguments& arguments) {
   if (arguments.picture.options.warmUp && arguments.paths)
     throw UsageError(
         "--paths and --warm-up: the warm-up finds its light by itself, so that nothing can be kept "
         "out of it; --paths goes with part 5.");
+  if (!arguments.targetError.empty()) {
+    parseTargetError(arguments.targetError);
+    refuseWithTargetError(arguments);
+  } else if (!arguments.rayMap.empty()) {
+    throw UsageError(
+        "--ray-map is for pictures with a --target-error: others have the same number "
+        "of rays everywhere.");
+  }
   SceneOverrides overrides;
   if (!arguments.size.empty()) overrides.size = parseSize(arguments.size);
   if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
   const LoadedScene scene = loadScene(findScene(arguments.scene), overrides);
   for (const std::string& note : scene.notes) fmt::print(stderr, "{}\n", note);
   RenderOptions& options = arguments.picture.options;
-  options.raysPerPixel = static_cast<std::uint64_t>(
-      arguments.raysPerPixel > 0 ? arguments.raysPerPixel : scene.raysPerPixel);
+  options.raysPerPixel =
+      static_cast<std::uint64_t>(arguments.raysPerPixel > 0      ? arguments.raysPerPixel
+                                 : arguments.targetError.empty() ? scene.raysPerPixel
+                                                                 : kMostRaysForTarget);
   options.sampler = findSampler(arguments.sampler);
   if (arguments.paths) options.paths = findPaths(*arguments.paths);
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.explain) {
     fmt::print("{}", explainRender(scene, settingsFor(scene, options)));
+    if (!arguments.targetError.empty())
+      fmt::print(
+          "rays: from {} to {} per pixel, as many as each tile needs for an error of {:g} % "
+          "(two halves of the picture decide for each other)\n",
+          AdaptiveRender::kFilms * AdaptiveRender::kPilotRays, options.raysPerPixel,
+          100.0 * parseTargetError(arguments.targetError));
     return kSuccess;
   }
   if (arguments.output.empty())
     arguments.output = fmt::format("{}_{}.png", scene.name, courseworkName(arguments.with));
   arguments.picture.output = arguments.output;
   refuseOutput(arguments.output, settingsFor(scene, options).pixels());
-  noteVariance(arguments.output, options);
+  if (arguments.targetError.empty()) noteVariance(arguments.output, options);
   if (options.warmUp) noteSpheres(scene);
+  if (!arguments.targetError.empty()) return renderToStatedError(arguments, scene);
   return renderPicture(prepareCoursework(arguments.with), scene, arguments.picture);
 }
 
@@ -106,6 +148,22 @@ void addLongRenderOptions(CLI::App& command, RenderArguments& arguments) {
   command.add_flag("--keep-checkpoint", checkpoints.keep,
                    "Keep OUTPUT.checkpoint of a complete picture, to refine it with --resume and "
                    "more rays per pixel");
+}
+
+void addTargetErrorOptions(CLI::App& command, RenderArguments& arguments) {
+  command
+      .add_option(
+          "--target-error", arguments.targetError,
+          "Give each tile of 16x16 pixels as many rays as its error needs to be below this, "
+          "such as 1%: the root of its pixels' mean variance, relative to its brightness, "
+          "or to a tenth of the picture's where it is darker; --rays-per-pixel is then the "
+          "most (default: 16384)")
+      ->type_name("ERROR");
+  command
+      .add_option(
+          "--ray-map", arguments.rayMap,
+          "Also write how many rays each tile got: .png to look at, .exr or .pfm for numbers")
+      ->type_name("FILE");
 }
 
 }  // namespace
@@ -153,6 +211,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                     "Render with part 0's get_ray_radiance; spheres are left out");
   addPathsOption(*command, arguments->paths);
   addLongRenderOptions(*command, *arguments);
+  addTargetErrorOptions(*command, *arguments);
   command->add_flag("--explain", arguments->explain,
                     "Print how rays would be answered in the scene, and why, and render nothing");
   command->footer(
@@ -165,7 +224,8 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n"
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png   (Ctrl-C)\n"
       "  ./pathmark render cornell_box --rays-per-pixel 100000 --output box.png --resume\n"
-      "  ./pathmark render cornell_box --rays-per-pixel 1024 --replicates 16\n\n"
+      "  ./pathmark render cornell_box --rays-per-pixel 1024 --replicates 16\n"
+      "  ./pathmark render cornell_box --target-error 2% --ray-map rays.png\n\n"
       "The same seed gives the same bits, for any number of threads and breaks. A checkpoint of "
       "an\n"
       "older render is never lost: without --resume it is replaced only by one that has all of "

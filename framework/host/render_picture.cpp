@@ -62,21 +62,13 @@ std::string raysMade(const RenderedImage& rendered) {
   return fmt::format("{:.{}f}", rendered.raysPerPixel, rendered.complete ? 0 : 1);
 }
 
-// Part 0 stands alone, and the other parts do without it.
-std::vector<FunctionContract> missingFor(bool warmUp, const StubReport& stubs) {
-  std::vector<FunctionContract> missing;
-  for (const FunctionContract& f : stubs.unwritten)
-    if ((f.part == 0) == warmUp) missing.push_back(f);
-  return missing;
-}
-
 void printPicture(const fs::path& output, const Coursework& coursework,
                   const RenderOutcome& outcome, bool warmUp) {
   const RenderedImage& rendered = outcome.rendered;
   fmt::print("{}: {}x{}, {} rays per pixel, {:.2f} s, {:.1f} Mrays/s, with {}\n", output.string(),
              rendered.image.width, rendered.image.height, raysMade(rendered), rendered.seconds,
              static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6, coursework.name);
-  const std::vector<FunctionContract> missing = missingFor(warmUp, outcome.stubs);
+  const std::vector<FunctionContract> missing = unwrittenFor(warmUp, outcome.stubs);
   if (!missing.empty()) fmt::print("Not written yet: {}.\n", listOfNames(missing));
   std::fflush(stdout);
 }

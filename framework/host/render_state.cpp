@@ -53,24 +53,29 @@ bool finished(const RenderSettings& settings, const RenderState& state) {
   return state.replicate * settings.raysPerReplicate() + state.firstRay >= settings.raysPerPixel;
 }
 
-// All pixels get their rays of one job before any gets those of the next, so that an interrupted
-// image is even.
-RenderJob nextJob(const RenderSettings& settings, const RenderState& state, double pixelPasses) {
+RenderJob jobOf(const RenderSettings& settings, std::uint64_t replicate) {
   RenderJob job;
   job.estimator = settings.estimator;
   job.sampler = settings.sampler;
   job.paths = settings.automaton;
   job.threads = settings.threads;
-  job.seed = replicateSeed(settings.seed, state.replicate);
-  job.firstRay = state.firstRay;
+  job.seed = replicateSeed(settings.seed, replicate);
   job.raysPerPass = settings.raysPerPass();
+  job.region = {0, 0, settings.width, settings.height};
   if (settings.camera) {
     job.ownCamera = 1;
     job.camera = *settings.camera;
   }
+  return job;
+}
+
+// All pixels get their rays of one job before any gets those of the next, so that an interrupted
+// image is even.
+RenderJob nextJob(const RenderSettings& settings, const RenderState& state, double pixelPasses) {
+  RenderJob job = jobOf(settings, state.replicate);
+  job.firstRay = state.firstRay;
   const double passes = pixelPasses / static_cast<double>(settings.pixels());
   if (state.row == 0 && passes >= 1.0) {
-    job.region = {0, 0, settings.width, settings.height};
     const std::uint64_t left = settings.raysPerReplicate() - state.firstRay;
     const double rays = std::min(passes, static_cast<double>(left));  // no pass has less than one
     job.rays = std::min(static_cast<std::uint64_t>(rays) * job.raysPerPass, left);

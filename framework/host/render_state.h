@@ -2,6 +2,7 @@
 //
 //   RenderSettings   the image
 //   RenderState      as of the last whole step: a render goes on from here to the same bits
+//   jobOf            what all jobs of a replicate have in common
 //   nextJob          what to ask of the worker next
 //   advance          what has been made when it is done
 #pragma once
@@ -61,6 +62,9 @@ std::uint64_t replicateSeed(std::uint64_t seed, std::uint64_t replicate);
 std::uint64_t raysMade(const RenderSettings& settings, const RenderState& state);
 
 bool finished(const RenderSettings& settings, const RenderState& state);
+
+// Of the whole image, in this replicate; which rays of it is left to be said.
+RenderJob jobOf(const RenderSettings& settings, std::uint64_t replicate);
 
 // Of about `pixelPasses` passes of single pixels: whole passes of the image, or rows of one.
 RenderJob nextJob(const RenderSettings& settings, const RenderState& state, double pixelPasses);

@@ -138,16 +138,28 @@ RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& option
   return settings;
 }
 
-RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
-                          const RenderOptions& options, RenderState state,
-                          const AfterStep& afterStep) {
-  ProgressBar bar(fmt::format("{}, {}", scene.name, coursework.name));
+WorkerProcess::Options workerOptions(const Coursework& coursework, const RenderOptions& options,
+                                     ProgressBar& bar) {
   WorkerProcess::Options worker;
   worker.program = coursework.worker;
   worker.courseworkFolder = coursework.folder;
   worker.limits.secondsWithoutAnswer = options.secondsWithoutAnswer;
-  worker.onText = [&](std::string_view text) { bar.printAbove(text); };
-  WorkerProcess process(std::move(worker));
+  worker.onText = [&bar](std::string_view text) { bar.printAbove(text); };
+  return worker;
+}
+
+std::vector<FunctionContract> unwrittenFor(bool warmUp, const StubReport& stubs) {
+  std::vector<FunctionContract> missing;
+  for (const FunctionContract& f : stubs.unwritten)
+    if ((f.part == 0) == warmUp) missing.push_back(f);
+  return missing;
+}
+
+RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
+                          const RenderOptions& options, RenderState state,
+                          const AfterStep& afterStep) {
+  ProgressBar bar(fmt::format("{}, {}", scene.name, coursework.name));
+  WorkerProcess process(workerOptions(coursework, options, bar));
 
   RenderOutcome outcome;
   outcome.stubs = makeStubReport(process.stubs());

@@ -16,6 +16,8 @@
 
 namespace pathmark {
 
+class ProgressBar;
+
 // A sentence about coursework that cannot be used at all.
 class CourseworkError : public std::runtime_error {
  public:
@@ -97,6 +99,13 @@ using AfterStep = std::function<std::string(const RenderState&)>;
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
                           const RenderOptions& options, RenderState state = {},
                           const AfterStep& afterStep = {});
+
+// A worker for renders, whose text goes above the bar; the bar must outlive it.
+WorkerProcess::Options workerOptions(const Coursework& coursework, const RenderOptions& options,
+                                     ProgressBar& bar);
+
+// Part 0 stands alone, and the other parts do without it.
+std::vector<FunctionContract> unwrittenFor(bool warmUp, const StubReport& stubs);
 
 // A sentence about values that are no radiance; empty if there are none.
 std::string invalidSentence(const RenderedImage& image, bool warmUp);

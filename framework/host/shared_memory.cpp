@@ -58,8 +58,10 @@ void SealedBlock::append(std::span<const std::byte> bytes) {
 SharedFilm::SharedFilm(int width, int height)
     : width_(width),
       height_(height),
-      bytes_(kFilmOffset + static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                               sizeof(FilmPixel)),
+      bytes_(kFilmOffset +
+             static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                 sizeof(FilmPixel) +
+             tileCount(width, height) * sizeof(std::uint64_t)),
       fd_(createMemory("pathmark-film", bytes_)) {
   if (fcntl(fd_.get(), F_ADD_SEALS, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
     fail("sealing the film");
@@ -79,6 +81,11 @@ std::span<const FilmPixel> SharedFilm::pixels() const {
 std::span<FilmPixel> SharedFilm::pixels() {
   return {reinterpret_cast<FilmPixel*>(memory_ + kFilmOffset),
           static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)};
+}
+
+std::span<std::uint64_t> SharedFilm::tileRays() {
+  return {reinterpret_cast<std::uint64_t*>(pixels().data() + pixels().size()),
+          tileCount(width_, height_)};
 }
 
 }  // namespace pathmark

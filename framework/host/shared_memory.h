@@ -69,6 +69,9 @@ class SharedFilm {
   std::span<const FilmPixel> pixels() const;
   std::span<FilmPixel> pixels();
 
+  // For jobs with raysByTile: tile by tile.
+  std::span<std::uint64_t> tileRays();
+
  private:
   int width_, height_;
   std::size_t bytes_;

@@ -136,10 +136,10 @@ std::vector<StubRecord> WorkerProcess::stubs() {
   return records;
 }
 
-void WorkerProcess::loadScene(const FlatScene& scene) {
+void WorkerProcess::loadScene(const FlatScene& scene, Skips skips) {
   sceneBlock_ = SealedBlock([&](const TakeBytes& take) { packScene(scene, take); });
   const auto started = Clock::now();
-  const LoadSceneRequest request{sceneBlock_.bytes()};
+  const LoadSceneRequest request{sceneBlock_.bytes(), skips.bits()};
   const std::uint32_t sequence =
       sendRequest(MessageKind::kLoadScene, bytesOf(request), sceneBlock_.descriptor());
   const auto body = awaitReply(MessageKind::kLoadScene, sequence, sizeof(LoadSceneReply),

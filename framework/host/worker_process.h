@@ -17,6 +17,7 @@
 #include "host/recorded_paths.h"
 #include "host/shared_memory.h"
 #include "render/render_job.h"
+#include "render/skips.h"
 #include "scene/flat_scene.h"
 #include "worker/contract.h"
 #include "worker/protocol.h"
@@ -102,7 +103,7 @@ class WorkerProcess {
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
   std::vector<StubRecord> stubs();
-  void loadScene(const FlatScene& scene);
+  void loadScene(const FlatScene& scene, Skips skips = {});
 
   // `onProgress` is called several times a second and returns whether to go on; if it does not,
   // the film holds what was rendered until then.

@@ -14,8 +14,8 @@ std::vector<std::uint32_t> indicesBelow(std::size_t count) {
 
 }  // namespace
 
-FlatIntersector::FlatIntersector(const FlatSceneView& scene)
+FlatIntersector::FlatIntersector(const FlatSceneView& scene, const FlatTests& tests)
     : FlatIntersector(scene, indicesBelow(scene.triangles.size()),
-                      indicesBelow(scene.spheres.size())) {}
+                      indicesBelow(scene.spheres.size()), tests) {}
 
 }  // namespace pathmark

@@ -15,12 +15,12 @@ namespace pathmark {
 class FlatIntersector {
  public:
   // Of all of a scene's primitives.
-  explicit FlatIntersector(const FlatSceneView& scene);
+  explicit FlatIntersector(const FlatSceneView& scene, const FlatTests& tests = {});
 
   // Of these triangles and spheres of a scene.
   FlatIntersector(const FlatSceneView& scene, std::span<const std::uint32_t> triangles,
-                  std::span<const std::uint32_t> spheres)
-      : triangles_(scene, triangles), spheres_(scene, spheres) {}
+                  std::span<const std::uint32_t> spheres, const FlatTests& tests = {})
+      : triangles_(scene, triangles, tests), spheres_(scene, spheres, tests) {}
 
   // Returns whether the ray meets anything at 0 < t < tMax, and only then sets `hit` to the
   // nearest.

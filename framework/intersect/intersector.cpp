@@ -13,8 +13,8 @@ FlatSceneView flatPart(const FlatSceneView& scene, const Plan& plan) {
 }  // namespace
 
 Intersector::Intersector(const FlatSceneView& scene, const Plan& plan)
-    : flat_(flatPart(scene, plan)),
-      occluders_(scene, plan.occludingTriangles, plan.occludingSpheres) {
+    : flat_(flatPart(scene, plan), plan.flatTests),
+      occluders_(scene, plan.occludingTriangles, plan.occludingSpheres, plan.flatTests) {
   if (plan.triangles == TriangleTest::kHierarchy) hierarchy_.emplace(scene);
 }
 

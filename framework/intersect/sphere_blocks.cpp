@@ -2,9 +2,10 @@
 
 namespace pathmark {
 
-SphereBlocks::SphereBlocks(const FlatSceneView& scene, std::span<const std::uint32_t> spheres) {
-  const std::size_t count = spheres.size();
-  blocks_.resize((count + kLanes - 1) / kLanes);
+SphereBlocks::SphereBlocks(const FlatSceneView& scene, std::span<const std::uint32_t> spheres,
+                           const FlatTests& tests) {
+  const std::size_t count = spheres.size(), least = tests.kindsOfNothing ? 1 : 0;
+  blocks_.resize(std::max(least, (count + kLanes - 1) / kLanes));
   for (std::size_t i = 0; i < blocks_.size() * kLanes; ++i) {
     Block& block = blocks_[i / kLanes];
     const std::size_t lane = i % kLanes;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "intersect/simd.h"
+#include "render/plan.h"
 #include "scene/flat_scene.h"
 
 #include <pathmark/types.h>
@@ -21,7 +22,8 @@ namespace pathmark {
 class SphereBlocks {
  public:
   // Of these spheres of the scene.
-  SphereBlocks(const FlatSceneView& scene, std::span<const std::uint32_t> spheres);
+  SphereBlocks(const FlatSceneView& scene, std::span<const std::uint32_t> spheres,
+               const FlatTests& tests = {});
 
   bool empty() const { return blocks_.empty(); }
 

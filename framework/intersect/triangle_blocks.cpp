@@ -22,12 +22,15 @@ Float3 normalOf(const std::array<Float3, 3>& corners) {
 
 }  // namespace
 
-TriangleBlocks::TriangleBlocks(const FlatSceneView& scene,
-                               std::span<const std::uint32_t> triangles) {
-  std::vector<TrianglePair> pairs = pairTriangles(scene, triangles);
+TriangleBlocks::TriangleBlocks(const FlatSceneView& scene, std::span<const std::uint32_t> triangles,
+                               const FlatTests& tests)
+    : culls_(tests.backsOfAll) {
+  std::vector<TrianglePair> pairs =
+      tests.pairs ? pairTriangles(scene, triangles) : inNoPairs(scene, triangles);
   // Those that are not flat side by side, in as few blocks as they need.
   std::stable_partition(pairs.begin(), pairs.end(), [](const TrianglePair& p) { return !p.flat; });
-  blocks_.resize((pairs.size() + kLanes - 1) / kLanes);
+  const std::size_t least = tests.kindsOfNothing ? 1 : 0;
+  blocks_.resize(std::max(least, (pairs.size() + kLanes - 1) / kLanes));
   for (std::size_t i = 0; i < blocks_.size() * kLanes; ++i) {
     Block& block = blocks_[i / kLanes];
     const std::size_t lane = i % kLanes;

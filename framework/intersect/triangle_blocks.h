@@ -13,6 +13,7 @@
 
 #include "intersect/ray_shear.h"
 #include "intersect/simd.h"
+#include "render/plan.h"
 #include "scene/flat_scene.h"
 
 #include <span>
@@ -23,7 +24,8 @@ namespace pathmark {
 class TriangleBlocks {
  public:
   // Of these triangles of the scene.
-  TriangleBlocks(const FlatSceneView& scene, std::span<const std::uint32_t> triangles);
+  TriangleBlocks(const FlatSceneView& scene, std::span<const std::uint32_t> triangles,
+                 const FlatTests& tests = {});
 
   bool empty() const { return blocks_.empty(); }
 

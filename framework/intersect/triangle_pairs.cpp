@@ -115,4 +115,14 @@ std::vector<TrianglePair> pairTriangles(const FlatSceneView& scene,
   return Pairing(scene).pairs(triangles);
 }
 
+std::vector<TrianglePair> inNoPairs(const FlatSceneView& scene,
+                                    std::span<const std::uint32_t> triangles) {
+  std::vector<TrianglePair> all;
+  for (const std::uint32_t t : triangles) {
+    const auto [a, b, c] = scene.corners(scene.triangles[t]);
+    all.push_back({{a, b, c, c}, {t, t}, true, true});
+  }
+  return all;
+}
+
 }  // namespace pathmark

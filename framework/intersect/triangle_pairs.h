@@ -2,6 +2,7 @@
 //
 //   TrianglePair    two triangles, or one
 //   pairTriangles   finds them
+//   inNoPairs       leaves every triangle by itself
 #pragma once
 
 #include "scene/flat_scene.h"
@@ -26,5 +27,8 @@ struct TrianglePair {
 // together.
 std::vector<TrianglePair> pairTriangles(const FlatSceneView& scene,
                                         std::span<const std::uint32_t> triangles);
+
+std::vector<TrianglePair> inNoPairs(const FlatSceneView& scene,
+                                    std::span<const std::uint32_t> triangles);
 
 }  // namespace pathmark

@@ -19,12 +19,18 @@ Occluders occludersFor(const FlatSceneView& scene, TriangleTest test, ShadowOrig
 
 }  // namespace
 
-Plan planFor(const FlatSceneView& scene, ShadowOrigins origins) {
+Plan planFor(const FlatSceneView& scene, ShadowOrigins origins, Skips skips) {
   Plan plan;
-  if (scene.triangles.size() >= kFewestForHierarchy)
+  plan.flatTests = {.pairs = skips.has(Skip::kSecondTriangles),
+                    .backsOfAll = !skips.has(Skip::kBackTests),
+                    .kindsOfNothing = !skips.has(Skip::kEmptyKinds)};
+  const bool many = scene.triangles.size() >= kFewestForHierarchy;
+  if (!scene.triangles.empty() &&
+      (many ? skips.has(Skip::kLoopOverMany) : !skips.has(Skip::kHierarchyOfFew)))
     plan.triangles = TriangleTest::kHierarchy;
   else if (!scene.triangles.empty())
     plan.triangles = TriangleTest::kFlatLoop;
+  if (!skips.has(Skip::kBoundingSurfaces)) origins = ShadowOrigins::kAnywhere;
   Occluders occluders = occludersFor(scene, plan.triangles, origins);
   plan.occludingTriangles = std::move(occluders.triangles);
   plan.occludingSpheres = std::move(occluders.spheres);

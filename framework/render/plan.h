@@ -5,6 +5,7 @@
 // What a scene does not need is left out here, so that the inner loop need not ask.
 #pragma once
 
+#include "render/skips.h"
 #include "scene/flat_scene.h"
 
 #include <cstdint>
@@ -24,13 +25,23 @@ enum class ShadowOrigins {
   kAnywhere,  // points that somebody has made up, as in tests of single functions
 };
 
+// How the flat loop asks for its primitives.
+struct FlatTests {
+  bool pairs = true;            // two triangles that make a quad as one
+  bool backsOfAll = false;      // backs, even if no triangle has a front only
+  bool kindsOfNothing = false;  // for spheres and triangles, even if there are none
+};
+
 struct Plan {
   TriangleTest triangles = TriangleTest::kNone;
 
   // Primitives that shadow rays are tested against beside the hierarchy, which has all triangles.
   std::vector<std::uint32_t> occludingTriangles, occludingSpheres;
+
+  FlatTests flatTests;
 };
 
-Plan planFor(const FlatSceneView& scene, ShadowOrigins origins = ShadowOrigins::kSurfaces);
+Plan planFor(const FlatSceneView& scene, ShadowOrigins origins = ShadowOrigins::kSurfaces,
+             Skips skips = {});
 
 }  // namespace pathmark

@@ -22,6 +22,14 @@ struct FilmPixel {
 // Pixels on a side of what one thread renders at a time.
 inline constexpr int kTileSize = 16;
 
+// Tiles of an image, row by row from the top left.
+constexpr std::size_t tileCount(int width, int height) {
+  const auto across = [](int pixels) {
+    return static_cast<std::size_t>((pixels + kTileSize - 1) / kTileSize);
+  };
+  return across(width) * across(height);
+}
+
 enum class Estimator : std::uint32_t { kPath = 0, kWarmUp = 1 };
 
 // Pixels of the image, from the top left.
@@ -35,8 +43,10 @@ struct RenderJob {
   SamplerKind sampler = SamplerKind::kSobol;
   std::uint32_t threads = 1;
   std::uint64_t seed = 0;
-  std::uint64_t firstRay = 0;  // of each pixel: a multiple of raysPerPass
-  std::uint64_t rays = 1;      // of each pixel, in this job
+  std::uint64_t firstRay = 0;    // of each pixel: a multiple of raysPerPass
+  std::uint64_t rays = 1;        // of each pixel, in this job
+  std::uint32_t raysByTile = 0;  // 1: so many of each pixel as its tile has in the film's memory,
+                                 // at most `rays`; the region then begins at a tile
   std::uint32_t raysPerPass = 1;
   PixelRegion region;           // to render; what reaches beyond the image is cut off
   std::uint32_t ownCamera = 0;  // 1: the camera is `camera` and not the scene's

@@ -92,6 +92,12 @@ void addToFilm(const Colour& mean, std::uint32_t rays, std::uint64_t pixel, Film
 
 struct Tile {
   int left, top, right, bottom;
+
+  // Of the image, row by row.
+  std::size_t index(int imageWidth) const {
+    const int across = (imageWidth + kTileSize - 1) / kTileSize;
+    return static_cast<std::size_t>(top / kTileSize * across + left / kTileSize);
+  }
 };
 
 // The tiles of a region, row by row, each given out once.
@@ -126,15 +132,15 @@ class Tiles {
 };
 
 // All passes of one pixel. Returns false when the host has asked to stop.
-bool renderPixelPasses(int i, int j, const RenderJob& job, PixelRenderer& renderer,
-                       std::uint64_t pixel, FilmPixel& film, InvalidPixels& invalid,
-                       const ProgressBoard& board, ThreadSlot& slot) {
+bool renderPixelPasses(int i, int j, const RenderJob& job, std::uint64_t raysOfJob,
+                       PixelRenderer& renderer, std::uint64_t pixel, FilmPixel& film,
+                       InvalidPixels& invalid, const ProgressBoard& board, ThreadSlot& slot) {
   slot.column.store(i, std::memory_order_relaxed);
   slot.row.store(j, std::memory_order_relaxed);
-  for (std::uint64_t done = 0; done < job.rays; done += job.raysPerPass) {
+  for (std::uint64_t done = 0; done < raysOfJob; done += job.raysPerPass) {
     if (board.cancel.load(std::memory_order_relaxed) != 0) return false;
     const auto rays =
-        static_cast<std::uint32_t>(std::min<std::uint64_t>(job.raysPerPass, job.rays - done));
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(job.raysPerPass, raysOfJob - done));
     const Colour mean = renderer.render(i, j, job.firstRay + done, rays);
     addToFilm(mean, rays, pixel, film, invalid);
     slot.pixelsDone.fetch_add(1, std::memory_order_relaxed);
@@ -150,7 +156,8 @@ SimpleCamera cameraOf(const SceneCore& scene, const RenderJob& job) {
 }
 
 RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span<FilmPixel> film,
-                         ProgressBoard& board, const std::function<void()>& onThreadStart) {
+                         ProgressBoard& board, const std::function<void()>& onThreadStart,
+                         std::span<const std::uint64_t> tileRays) {
   const SimpleCamera camera = cameraOf(scene, job);
   const int width = camera.width();
   Tiles tiles(job.region, camera);
@@ -165,13 +172,17 @@ RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span
     PixelRenderer renderer(scene, job, camera);
     InvalidPixels found;
     bool going = true;
-    for (Tile tile{}; going && tiles.take(tile);)
+    for (Tile tile{}; going && tiles.take(tile);) {
+      const std::uint64_t rays =
+          job.raysByTile != 0 ? std::min(job.rays, tileRays[tile.index(width)]) : job.rays;
       for (int j = tile.top; going && j < tile.bottom; ++j)
         for (int i = tile.left; going && i < tile.right; ++i) {
           const auto pixel = static_cast<std::uint64_t>(j) * static_cast<std::uint64_t>(width) +
                              static_cast<std::uint64_t>(i);
-          going = renderPixelPasses(i, j, job, renderer, pixel, film[pixel], found, board, slot);
+          going =
+              renderPixelPasses(i, j, job, rays, renderer, pixel, film[pixel], found, board, slot);
         }
+    }
     invalid[index] = found;
     slot.threadId.store(0, std::memory_order_relaxed);
   };

@@ -16,9 +16,10 @@ namespace pathmark {
 // The camera that the job is seen by.
 SimpleCamera cameraOf(const SceneCore& scene, const RenderJob& job);
 
-// Adds the job's rays to the film (row by row from the top, camera width x height).
-// `onThreadStart` is called by each render thread before its first pixel.
+// Adds the job's rays to the film (row by row from the top, camera width x height). `tileRays` is
+// for jobs with raysByTile. `onThreadStart` is called by each render thread before its first pixel.
 RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span<FilmPixel> film,
-                         ProgressBoard& board, const std::function<void()>& onThreadStart);
+                         ProgressBoard& board, const std::function<void()>& onThreadStart,
+                         std::span<const std::uint64_t> tileRays = {});
 
 }  // namespace pathmark

@@ -21,11 +21,11 @@ SimpleCamera makeCamera(const FlatCamera& c) {
           toVec3(c.pixelDown), static_cast<int>(c.width), static_cast<int>(c.height)};
 }
 
-SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins)
+SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins, Skips skips)
     : view_(view),
       camera_(makeCamera(view.camera)),
       maxBounces_(static_cast<int>(view.maxBounces)),
-      intersector_(view, planFor(view, origins)) {
+      intersector_(view, planFor(view, origins, skips)) {
   for (const FlatMaterial& m : view.materials) {
     materials_.push_back(makeMaterial(m));
     lobes_.push_back(std::make_unique<MaterialLobes>(m));

@@ -23,7 +23,8 @@ SimpleCamera makeCamera(const FlatCamera& camera);
 
 class SceneCore {
  public:
-  explicit SceneCore(const FlatSceneView& view, ShadowOrigins origins = ShadowOrigins::kAnywhere);
+  explicit SceneCore(const FlatSceneView& view, ShadowOrigins origins = ShadowOrigins::kAnywhere,
+                     Skips skips = {});
   SceneCore(const SceneCore&) = delete;
   SceneCore& operator=(const SceneCore&) = delete;
 

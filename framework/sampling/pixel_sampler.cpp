@@ -1,5 +1,6 @@
 #include "sampling/pixel_sampler.h"
 
+#include "sampling/corner_sampler.h"
 #include "sampling/pcg_sampler.h"
 #include "sampling/sobol_sampler.h"
 #include "sampling/stratified_sampler.h"
@@ -13,6 +14,8 @@ std::unique_ptr<PixelSampler> makePixelSampler(SamplerKind kind, std::uint64_t s
       return std::make_unique<PcgSampler>(seed);
     case SamplerKind::kStratified:
       return std::make_unique<StratifiedSampler>(seed, raysPerPass);
+    case SamplerKind::kCorners:
+      return std::make_unique<CornerSampler>(seed);
     default:
       return std::make_unique<SobolSampler>(seed, raysPerPass);
   }

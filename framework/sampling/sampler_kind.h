@@ -9,7 +9,12 @@
 
 namespace pathmark {
 
-enum class SamplerKind : std::uint32_t { kSobol = 0, kStratified = 1, kPcg = 2 };
+enum class SamplerKind : std::uint32_t {
+  kSobol = 0,
+  kStratified = 1,
+  kPcg = 2,
+  kCorners = 3,  // of tests only, and without a name: see corner_sampler.h
+};
 
 inline constexpr std::array<std::string_view, 3> kSamplerNames{"sobol", "stratified", "pcg"};
 

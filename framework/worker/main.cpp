@@ -61,7 +61,8 @@ void answerLoadScene(const Message& request, WorkerState& state) {
     state.sceneBlock = SharedBlock::map(request.descriptor, body->bytes, false);
     if (state.sceneBlock) {
       if (const auto view = viewScene(state.sceneBlock->bytes())) {
-        state.scene = std::make_unique<SceneCore>(*view, ShadowOrigins::kSurfaces);
+        state.scene =
+            std::make_unique<SceneCore>(*view, ShadowOrigins::kSurfaces, Skips(body->skips));
         reply.understood = 1;
       }
     }
@@ -79,21 +80,27 @@ class RenderMemory {
     const std::size_t pixels =
         static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
     auto block = SharedBlock::map(request.descriptor, body.bytes, true);
-    if (!block || block->bytes().size() < kFilmOffset + pixels * sizeof(FilmPixel))
+    const std::size_t tiles = tileCount(camera.width(), camera.height());
+    if (!block || block->bytes().size() <
+                      kFilmOffset + pixels * sizeof(FilmPixel) + tiles * sizeof(std::uint64_t))
       return std::nullopt;
-    return RenderMemory(std::move(*block), pixels);
+    return RenderMemory(std::move(*block), pixels, tiles);
   }
 
   ProgressBoard& board() const { return *reinterpret_cast<ProgressBoard*>(block_.data()); }
   std::span<FilmPixel> film() const {
     return {reinterpret_cast<FilmPixel*>(block_.data() + kFilmOffset), pixels_};
   }
+  std::span<const std::uint64_t> tileRays() const {
+    return {reinterpret_cast<const std::uint64_t*>(film().data() + pixels_), tiles_};
+  }
 
  private:
-  RenderMemory(SharedBlock block, std::size_t pixels) : block_(std::move(block)), pixels_(pixels) {}
+  RenderMemory(SharedBlock block, std::size_t pixels, std::size_t tiles)
+      : block_(std::move(block)), pixels_(pixels), tiles_(tiles) {}
 
   SharedBlock block_;
-  std::size_t pixels_;
+  std::size_t pixels_, tiles_;
 };
 
 // A request that does not fit the scene gets an empty answer, which the host knows for what it is.
@@ -104,7 +111,7 @@ void answerRender(const Message& request, const WorkerState& state) {
   const auto memory = RenderMemory::map(request, *body, *state.scene);
   if (!memory) return sendReply(request, {});
   const RenderResult result = renderTiles(*state.scene, body->job, memory->film(), memory->board(),
-                                          prepareThreadForCrashes);
+                                          prepareThreadForCrashes, memory->tileRays());
   sendReply(request, asBytes(result));
 }
 

@@ -59,7 +59,9 @@ struct Hello {
 };
 
 struct LoadSceneRequest {
-  std::uint64_t bytes = 0;  // of the block behind the descriptor
+  std::uint64_t bytes = 0;    // of the block behind the descriptor
+  std::uint32_t skips = ~0u;  // Skips; of renders only
+  std::uint32_t reserved = 0;
 };
 
 struct LoadSceneReply {
@@ -67,8 +69,8 @@ struct LoadSceneReply {
   std::uint32_t reserved = 0;
 };
 
-// The film's descriptor holds a ProgressBoard and then, from kFilmOffset, width x height
-// FilmPixels.
+// The film's descriptor holds a ProgressBoard; then, from kFilmOffset, width x height FilmPixels;
+// then one std::uint64_t for each tile of the image, row by row: see RenderJob::raysByTile.
 inline constexpr std::size_t kFilmOffset = (sizeof(ProgressBoard) + 4095) / 4096 * 4096;
 
 struct RenderRequest {

@@ -36,6 +36,46 @@ TEST(Plan, ChoosesByTheNumberOfTriangles) {
   EXPECT_EQ(chosen(kFewestForHierarchy, 0), TriangleTest::kHierarchy);
 }
 
+TEST(Plan, LeavesOutNothingThatASwitchKeeps) {
+  const ShapeScene few = randomScene(20, 3), many = randomScene(kFewestForHierarchy, 3);
+  const auto without = [](const ShapeScene& scene, Skip skip) {
+    return planFor(scene.view(), ShadowOrigins::kSurfaces, Skips().without(skip));
+  };
+  EXPECT_EQ(without(few, Skip::kHierarchyOfFew).triangles, TriangleTest::kHierarchy);
+  EXPECT_EQ(without(many, Skip::kLoopOverMany).triangles, TriangleTest::kFlatLoop);
+  EXPECT_EQ(without(few, Skip::kLoopOverMany).triangles, TriangleTest::kFlatLoop);
+  EXPECT_EQ(without(few, Skip::kBoundingSurfaces).occludingTriangles.size(), 20u);
+  EXPECT_FALSE(without(few, Skip::kSecondTriangles).flatTests.pairs);
+  EXPECT_TRUE(without(few, Skip::kBackTests).flatTests.backsOfAll);
+  EXPECT_TRUE(without(few, Skip::kEmptyKinds).flatTests.kindsOfNothing);
+}
+
+// Whatever is left out, rays meet the same.
+TEST(Plan, SkipsChangeNoAnswer) {
+  for (const auto& [triangles, spheres] :
+       {std::pair<std::size_t, std::size_t>{0, 20}, {40, 0}, {40, 20}}) {
+    const ShapeScene scene = randomScene(triangles, spheres);
+    const Intersector all(scene.view(), planFor(scene.view(), ShadowOrigins::kAnywhere));
+    for (const Skip skip : {Skip::kSecondTriangles, Skip::kBackTests, Skip::kEmptyKinds}) {
+      const Intersector one(scene.view(),
+                            planFor(scene.view(), ShadowOrigins::kAnywhere, Skips().without(skip)));
+      RandomNumbers random(22);
+      for (int k = 0; k < 20000; ++k) {
+        const Ray ray{random.inCube(1.5f), random.direction()};
+        PrimitiveHit a, b;
+        const bool hit = all.closest(ray, a);
+        ASSERT_EQ(one.closest(ray, b), hit);
+        if (hit) {
+          ASSERT_EQ(a.index, b.index);
+          ASSERT_EQ(a.t, b.t);
+        }
+        const vec3 segment = random.inCube(2.0f);
+        ASSERT_EQ(one.occluded(ray.origin, segment), all.occluded(ray.origin, segment));
+      }
+    }
+  }
+}
+
 // Rays that graze an edge or meet two primitives at almost one place may go either way, one in ten
 // thousand of them.
 TEST(Plan, EitherKindOfIntersectorMeetsTheSame) {

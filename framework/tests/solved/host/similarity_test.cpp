@@ -1,7 +1,7 @@
 // Shipped scenes in other units and at other places give the same image.
 #include "host/blob_file.h"
 #include "host/session.h"
-#include "solved/support/moved_scene.h"
+#include "bench/stress/moved_scene.h"
 #include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 
@@ -15,6 +15,9 @@
 
 namespace pathmark::test {
 namespace {
+
+using bench::movedScene;
+using bench::Similarity;
 
 constexpr int kSide = 64, kBlock = 8;
 

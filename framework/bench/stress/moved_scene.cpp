@@ -1,4 +1,4 @@
-#include "solved/support/moved_scene.h"
+#include "bench/stress/moved_scene.h"
 
 #include <nlohmann/json.hpp>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-namespace pathmark::test {
+namespace pathmark::bench {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::string movedScene(const std::filesystem::path& file, const Similarity& simi
   return scene.dump();
 }
 
-}  // namespace pathmark::test
+}  // namespace pathmark::bench

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace pathmark::test {
+namespace pathmark::bench {
 
 struct Similarity {
   double scale = 1.0;
@@ -15,4 +15,4 @@ struct Similarity {
 // scale; the size is the longest side of the box around its shapes and eye. Meshes get a transform.
 std::string movedScene(const std::filesystem::path& file, const Similarity& similarity);
 
-}  // namespace pathmark::test
+}  // namespace pathmark::bench
