@@ -65,7 +65,7 @@ struct RenderOptions {
   std::uint32_t threads = 0;  // 0: one for each processor
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::kSobol;
-  bool warmUp = false;
+  Estimator estimator = Estimator::kPath;
   std::optional<PathExpression> paths{};  // nothing: all light
   double secondsWithoutAnswer = 10.0;
 };
@@ -99,7 +99,7 @@ RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene
                           const AfterStep& afterStep = {});
 
 // A sentence about values that are no radiance; empty if there are none.
-std::string invalidSentence(const RenderedImage& image, bool warmUp);
+std::string invalidSentence(const RenderedImage& image, Estimator estimator);
 
 std::string listOfNames(std::span<const FunctionContract> functions);
 

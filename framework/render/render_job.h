@@ -22,7 +22,11 @@ struct FilmPixel {
 // Pixels on a side of what one thread renders at a time.
 inline constexpr int kTileSize = 16;
 
-enum class Estimator : std::uint32_t { kPath = 0, kWarmUp = 1 };
+enum class Estimator : std::uint32_t {
+  kPath = 0,    // renderPixel, and so tracePath
+  kWarmUp = 1,  // part 0
+  kMis = 2,     // part 8's tracePathMIS
+};
 
 // Pixels of the image, from the top left.
 struct PixelRegion {

@@ -14,6 +14,14 @@ std::unique_ptr<BRDF> makeMaterial(const FlatMaterial& m) {
   return std::make_unique<lambertianBRDF>(toVec3(m.kd));
 }
 
+// Of each face whether it is a light's only one.
+std::vector<bool> facesAlone(const FlatSceneView& view) {
+  std::vector<bool> alone(view.faces.size(), false);
+  for (const FlatLight& light : view.lights)
+    if (light.sphere == FlatLight::kNoSphere && light.faceCount == 1) alone[light.firstFace] = true;
+  return alone;
+}
+
 }  // namespace
 
 SimpleCamera makeCamera(const FlatCamera& c) {
@@ -31,7 +39,7 @@ SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins)
     lobes_.push_back(std::make_unique<MaterialLobes>(m));
   }
   for (const FlatShape& s : view.shapes)
-    surfaces_.push_back({materials_[s.material].get(), toVec3(s.emission)});
+    surfaces_.push_back({materials_[s.material].get(), toVec3(s.emission), nullptr});
   buildLights();
 }
 
@@ -41,12 +49,14 @@ void SceneCore::buildLights() {
     lightVertices_.push_back(toVec3(v));
     magnitude = std::max(magnitude, largestComponent(lightVertices_.back()));
   }
+  const std::vector<bool> alone = facesAlone(view_);
+  const bool bySolidAngle = view_.lightSampling == LightSampling::kBySolidAngle;
   for (const FlatFace& f : view_.faces) {
     const std::span<const Point> vertices(lightVertices_.data() + f.firstVertex, f.vertexCount);
     faces_.emplace_back(
         Polygon(vertices, view_.lightTriangles.subspan(f.firstTriangle, f.triangleCount),
                 toVec3(f.normal)),
-        f.cumulativeArea);
+        f.cumulativeArea, bySolidAngle && alone[faces_.size()]);
   }
   for (const FlatLight& l : view_.lights) {
     if (l.sphere == FlatLight::kNoSphere) {
@@ -59,6 +69,8 @@ void SceneCore::buildLights() {
     }
   }
   lightMagnitude_ = magnitude;
+  for (std::size_t i = 0; i < lights_.size(); ++i)
+    surfaces_[view_.lights[i].shape].light = &lights_[i];
 }
 
 bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
@@ -68,6 +80,7 @@ bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
       primitive.isSphere ? meetSphere(ray, primitive, hit) : meetTriangle(ray, primitive, hit);
   hit.brdf = surface.brdf;
   hit.emission = surface.emission;
+  hit.light = surface.light;
   return true;
 }
 

@@ -48,6 +48,7 @@ class SceneCore {
   struct Surface {
     const BRDF* brdf;
     Colour emission;
+    const Light* light;
   };
 
   void buildLights();

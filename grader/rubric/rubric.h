@@ -28,10 +28,11 @@ class RubricError : public std::runtime_error {
 };
 
 // Parts are numbered as in Marks.
-inline constexpr int kScenesPart = 7, kWholePart = 8;
+inline constexpr int kScenesPart = 7, kWholePart = 10;
 
 struct PartRubric {
   int part = 0;
+  bool bonus = false;       // its points come on top of those that can be had
   double points = 0.0;      // of all its functions and of its efficiency
   double efficiency = 0.0;  // those of its efficiency
 
