@@ -49,8 +49,8 @@ struct SeenTriangle {
   // never put together: what counts are its shares of v0, v1 and v2.
   Point sample(float s, float t) const {
     const float half = 0.5f * s * solidAngle, sine = std::sin(half) / g0;
-    const float alpha = std::cos(half) - g1 * sine,
-                beta = g2 * sine;  // c halves v0, alpha v0 + beta v2
+    // Halfway between v0 and c is alpha v0 + beta v2, but for its length.
+    const float alpha = std::cos(half) - g1 * sine, beta = g2 * sine;
     const float difference = std::max(alpha - beta, 0.0f);
     const float oneMinusCos = 0.5f * dot(chord2, chord2);  // of the angle between v0 and v2
     const float norm2 = difference * difference + 2.0f * alpha * beta * (2.0f - oneMinusCos);
@@ -59,8 +59,8 @@ struct SeenTriangle {
 
     const Vector chord =
         chord1 - c2 * chord2 - v0 * (2.0f * beta * difference * oneMinusCos / norm2);
-    const float h1 = 0.5f * dot(chord, chord),
-                h = t * h1;  // 1 - cos of angles from v1, to c at most
+    const float h1 = 0.5f * dot(chord, chord);  // 1 - cos of the angle between v1 and c
+    const float h = t * h1;
     const float shareC = std::sqrt(t * (2.0f - h) / (2.0f - h1));
     const float share1 = std::max(1.0f - h - shareC * (1.0f - h1), 0.0f);
 

@@ -11,12 +11,14 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
   bench->require_subcommand(0, 1);
   bench->callback([bench] {
     if (bench->get_subcommands().empty())
-      throw UsageError("bench is told what to measure: rays, render, error, cost or preview.");
+      throw UsageError(
+          "bench is told what to measure: rays, render, error, cost, lights or preview.");
   });
   bench::addBenchRaysCommand(*bench, action);
   bench::addBenchRenderCommand(*bench, action);
   bench::addBenchErrorCommand(*bench, action);
   bench::addBenchCostCommand(*bench, action);
+  bench::addBenchLightsCommand(*bench, action);
   bench::addBenchPreviewCommand(*bench, action);
   bench->footer(
       "Examples:\n"
@@ -26,6 +28,7 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark bench render --peer cycles\n"
       "  ./pathmark bench error --html error.html\n"
       "  ./pathmark bench cost\n"
+      "  ./pathmark bench lights\n"
       "  ./pathmark bench preview\n\n"
       "./pathmark bench COMMAND --help says more about each.");
 }

@@ -65,7 +65,7 @@ struct Case {
   std::string what;
   LitRoom room;
   double size = 1.0;  // of the room
-  std::uint32_t paths = 256;
+  std::uint32_t paths = 512;
 
   PathRay ray() const {
     const Receiver& x = room.receiver;
@@ -91,7 +91,7 @@ std::vector<Case> cases(std::uint64_t seed) {
   Random random(seed);
   std::vector<Case> all;
   all.push_back({"one light", below({above(random, 1.0, 2.0, 3.0)}, random)});
-  all.push_back({"a light that is near", below({above(random, 0.3, 2.0, 2.0)}, random)});
+  all.push_back({"a light that is near", below({above(random, 0.3, 2.0, 2.0)}, random), 1.0, 2048});
   all.push_back({"a light that is far", below({above(random, 2.0, 0.5, 0.3)}, random)});
   for (const int count : {2, 3, 5}) {
     LitRoom room = below({}, random);

@@ -135,7 +135,7 @@ Finding densityIsOverTheSolidAngle(CheckRun& run) {
 // passes that its points follow.
 template <F kSampling>
 Finding judgeLight(CheckRun& run, const SeenLight& light, std::uint64_t seed) {
-  constexpr std::uint32_t kPerReplicate = 64;
+  constexpr std::uint32_t kPerReplicate = 256;
   const std::vector<Mean> means = light.means();
   Points points(seed, kPerReplicate);
   std::uint64_t made = 0;

@@ -54,7 +54,7 @@ TEST(Contract, UnwrittenCourseworkBuildsRendersAndIsKnownAsUnwritten) {
     const RenderOutcome outcome = renderScene(student, loadScene(findScene(name), small), options);
     EXPECT_EQ(outcome.stubs.unwritten.size(), contract().size());
     EXPECT_TRUE(outcome.rendered.complete);
-    EXPECT_EQ(invalidSentence(outcome.rendered, false), "") << name;
+    EXPECT_EQ(invalidSentence(outcome.rendered, Estimator::kPath), "") << name;
   }
 }
 
