@@ -9,30 +9,25 @@ namespace {
 // triangles is made of their edges, which are exact, and not of differences of unit vectors.
 struct SeenTriangle {
   Point p0;
-  Vector edge1, edge2;    // from p0 to p1 and p2
-  Vector v0;              // towards p0, unit length
-  Vector chord1, chord2;  // from v0 to the unit vectors towards p1 and p2
-  float l0, l1, l2;       // distances of the corners
-  float height;           // of x over the plane; not above 0: the front is not seen
+  Vector edge1, edge2;  // from p0 to p1 and p2
+  Vector d0, d1, d2;    // from x to the corners,
+  float l0, l1, l2;     // and their lengths
+  float height;         // of x over the plane; not above 0: the front is not seen
 
   // Of the unit vectors v0, v1, v2: their volume |v0 . (v1 x v2)|, (v0 + v1) . v2 and 1 + v0 . v1.
   float g0 = 0.0f, g1 = 0.0f, g2 = 0.0f;
   float solidAngle = 0.0f;
 
   SeenTriangle(const Point& a, const Point& b, const Point& c, const Point& x)
-      : p0(a), edge1(b - a), edge2(c - a) {
-    const Vector d0 = a - x, d1 = b - x, d2 = c - x, normal = cross(edge1, edge2);
+      : p0(a), edge1(b - a), edge2(c - a), d0(a - x), d1(b - x), d2(c - x) {
+    const Vector normal = cross(edge1, edge2);
     const float volume = -dot(d0, normal);
     height = volume / length(normal);
     if (!(volume > 0.0f)) return;
     l0 = length(d0), l1 = length(d1), l2 = length(d2);
-    v0 = d0 / l0;
-    chord1 = (edge1 - v0 * (dot(edge1, d0 + d1) / (l0 + l1))) / l1;
-    chord2 = (edge2 - v0 * (dot(edge2, d0 + d2) / (l0 + l2))) / l2;
-    const Vector v1 = d1 / l1, v2 = d2 / l2;
     g0 = volume / l0 / l1 / l2;
-    g1 = dot(v0, v2) + dot(v1, v2);
-    g2 = 1.0f + dot(v0, v1);
+    g1 = (dot(d0, d2) / l0 + dot(d1, d2) / l1) / l2;
+    g2 = 1.0f + dot(d0, d1) / l0 / l1;
     solidAngle = 2.0f * std::atan2(g0, g1 + g2);
   }
 
@@ -52,6 +47,9 @@ struct SeenTriangle {
     // Halfway between v0 and c is alpha v0 + beta v2, but for its length.
     const float alpha = std::cos(half) - g1 * sine, beta = g2 * sine;
     const float difference = std::max(alpha - beta, 0.0f);
+    const Vector v0 = d0 / l0;
+    const Vector chord1 = (edge1 - v0 * (dot(edge1, d0 + d1) / (l0 + l1))) / l1;  // v1 - v0
+    const Vector chord2 = (edge2 - v0 * (dot(edge2, d0 + d2) / (l0 + l2))) / l2;  // v2 - v0
     const float oneMinusCos = 0.5f * dot(chord2, chord2);  // of the angle between v0 and v2
     const float norm2 = difference * difference + 2.0f * alpha * beta * (2.0f - oneMinusCos);
     const float c0 = difference * (alpha + beta) / norm2;

@@ -22,6 +22,27 @@ std::vector<bool> facesAlone(const FlatSceneView& view) {
   return alone;
 }
 
+// Of each light the shape that it is; beyond all shapes where there is none. A sphere says it
+// itself. Lights with faces stand in the order of their shapes.
+std::vector<std::size_t> shapesOfLights(const FlatSceneView& view) {
+  std::vector<bool> hasTriangles(view.shapes.size(), false);
+  for (const FlatTriangle& t : view.triangles) hasTriangles[t.shape] = true;
+  std::vector<std::size_t> shapes;
+  std::size_t next = 0;
+  for (const FlatLight& light : view.lights) {
+    if (light.sphere != FlatLight::kNoSphere) {
+      shapes.push_back(view.spheres[light.sphere].shape);
+      continue;
+    }
+    while (next < view.shapes.size() &&
+           !(hasTriangles[next] && view.shapes[next].emission == light.emission))
+      ++next;
+    shapes.push_back(next);
+    if (next < view.shapes.size()) ++next;
+  }
+  return shapes;
+}
+
 }  // namespace
 
 SimpleCamera makeCamera(const FlatCamera& c) {
@@ -69,8 +90,9 @@ void SceneCore::buildLights() {
     }
   }
   lightMagnitude_ = magnitude;
+  const std::vector<std::size_t> shapes = shapesOfLights(view_);
   for (std::size_t i = 0; i < lights_.size(); ++i)
-    surfaces_[view_.lights[i].shape].light = &lights_[i];
+    if (shapes[i] < surfaces_.size()) surfaces_[shapes[i]].light = &lights_[i];
 }
 
 bool SceneCore::intersect(const Ray& ray, Hit& hit) const {

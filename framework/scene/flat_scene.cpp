@@ -11,7 +11,7 @@ namespace pathmark {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x656e656373204d50;  // "PM scene" in memory
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kAlignment = 16;
 constexpr std::size_t kArrays = 9;
 
@@ -65,7 +65,6 @@ bool isValid(const FlatFace& face, const FlatSceneView& view) {
 }
 
 bool isValid(const FlatLight& light, const FlatSceneView& view) {
-  if (light.shape >= view.shapes.size()) return false;
   if (light.sphere != FlatLight::kNoSphere) return light.sphere < view.spheres.size();
   return light.faceCount > 0 && inRange(light.firstFace, light.faceCount, view.faces.size());
 }

@@ -71,7 +71,6 @@ struct FlatLight {
   std::uint32_t sphere = kNoSphere;
   std::uint32_t firstFace = 0, faceCount = 0;
   Float3 emission{};
-  std::uint32_t shape = 0;  // of which its surface is
 };
 
 struct FlatCamera {

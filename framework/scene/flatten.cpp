@@ -120,7 +120,6 @@ class Flattener {
     if (emits) {
       FlatLight light;
       light.sphere = count(flat_.spheres.size());
-      light.shape = currentShape();
       light.emission = flat_.shapes.back().emission;
       flat_.lights.push_back(light);
     }
@@ -174,7 +173,6 @@ class Flattener {
     FlatLight light;
     light.firstFace = count(flat_.faces.size());
     light.faceCount = count(faces.size());
-    light.shape = currentShape();
     light.emission = flat_.shapes.back().emission;
     flat_.lights.push_back(light);
     for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -43,7 +43,7 @@ SceneBuilder& SceneBuilder::polygon(const Surface& surface, const std::vector<Po
   for (const Point& v : vertices) flat_.lightVertices.push_back(toFloat3(v));
   for (std::uint32_t i = 2; i < count; ++i) flat_.lightTriangles.push_back({0, i - 1, i});
   flat_.lights.push_back({FlatLight::kNoSphere, static_cast<std::uint32_t>(flat_.faces.size()), 1,
-                          toFloat3(surface.emission), shape});
+                          toFloat3(surface.emission)});
   flat_.faces.push_back(face);
   return *this;
 }
@@ -58,8 +58,8 @@ SceneBuilder& SceneBuilder::sphere(const Surface& surface, const Point& centre, 
   const std::uint32_t shape = addShape(surface);
   flat_.spheres.push_back({toFloat3(centre), radius, shape, inward ? 1u : 0u});
   if (surface.emission != Colour(0.0f)) {
-    flat_.lights.push_back({static_cast<std::uint32_t>(flat_.spheres.size() - 1), 0, 0,
-                            toFloat3(surface.emission), shape});
+    flat_.lights.push_back(
+        {static_cast<std::uint32_t>(flat_.spheres.size() - 1), 0, 0, toFloat3(surface.emission)});
   }
   return *this;
 }
