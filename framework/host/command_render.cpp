@@ -60,10 +60,12 @@ void noteVariance(const std::filesystem::path& output, const RenderOptions& opti
 }
 
 int render(RenderArguments& arguments) {
-  if (arguments.picture.options.warmUp && arguments.paths)
+  if (arguments.warmUp && arguments.paths)
     throw UsageError(
         "--paths and --warm-up: the warm-up finds its light by itself, so that nothing can be kept "
         "out of it; --paths goes with part 5.");
+  if (arguments.mis && arguments.paths)
+    throw UsageError("--mis and --paths: light paths are told apart only in what tracePath finds.");
   SceneOverrides overrides;
   if (!arguments.size.empty()) overrides.size = parseSize(arguments.size);
   if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
@@ -77,8 +79,6 @@ int render(RenderArguments& arguments) {
   if (arguments.paths) options.paths = findPaths(*arguments.paths);
   if (arguments.warmUp) options.estimator = Estimator::kWarmUp;
   if (arguments.mis) options.estimator = Estimator::kMis;
-  if (arguments.mis && arguments.paths)
-    throw UsageError("--mis and --paths: light paths are told apart only in what tracePath finds.");
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.explain) {

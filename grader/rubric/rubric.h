@@ -32,7 +32,6 @@ inline constexpr int kScenesPart = 7, kWholePart = 10;
 
 struct PartRubric {
   int part = 0;
-  bool bonus = false;       // its points come on top of those that can be had
   double points = 0.0;      // of all its functions and of its efficiency
   double efficiency = 0.0;  // those of its efficiency
 
@@ -41,6 +40,8 @@ struct PartRubric {
 
   // By id, "2.6/repeatable": what is lost if nothing but such checks of a function fails.
   std::map<std::string, double> checks;
+
+  bool bonus = false;  // its points come on top of those that can be had
 };
 
 // The credit, a share of the points, while the bias of the worst picture is at most that.

@@ -195,7 +195,7 @@ std::vector<NamedCase> nameCases(const std::vector<MistakenCase>& cases,
     const MistakenCase& c = cases[i];
     const auto made = buildCase(c, others, scratchFolder());
     if (!made) return;
-    const PartBuild& part = made->build.parts[static_cast<std::size_t>(c.part())];
+    const PartBuild& part = made->build.parts[placeOfPart(c.part())];
     const std::string key = contentHash(judge + c.name() + part.object.filename().string());
     if (const auto known = log.find(key)) {
       named[i] = *known;
