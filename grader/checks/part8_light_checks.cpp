@@ -94,15 +94,16 @@ std::vector<Case> cases(std::uint64_t seed) {
   all.push_back({"a light that is near", below({above(random, 0.3, 2.0, 2.0)}, random), 1.0, 2048});
   all.push_back({"a light that is far", below({above(random, 2.0, 0.5, 0.3)}, random)});
   for (const int count : {2, 3, 5}) {
+    const double largest = 1.5 / count;  // none hides another
     LitRoom room = below({}, random);
     for (int k = 0; k < count; ++k) {
-      const double azimuth = kTwoPi * (k + random.between(0.3, 0.7)) / count;
+      const double azimuth = kTwoPi * (k + random.between(0.4, 0.6)) / count;
       const glm::dvec3 towards(0.7 * std::cos(azimuth), 0.7, 0.7 * std::sin(azimuth));
-      room.lights.push_back(rectangle(random.between(1.0, 1.3) * towards, -towards,
-                                      random.between(0.5, 0.9), random.between(0.5, 0.9), 0.0,
-                                      randomEmission(random)));
+      room.lights.push_back(rectangle(
+          random.between(1.0, 1.3) * towards, -towards, random.between(0.5, 1.0) * largest,
+          random.between(0.5, 1.0) * largest, 0.0, randomEmission(random)));
     }
-    all.push_back({fmt::format("{} lights", count), room, 1.0, 512});
+    all.push_back({fmt::format("{} lights", count), room, 1.0, 1024});
   }
   // A screen halfway hides all of the light but the open share.
   LitRoom hidden = below({above(random, 1.0, 2.0, 2.0)}, random);
@@ -113,7 +114,7 @@ std::vector<Case> cases(std::uint64_t seed) {
   const auto halfway = [&](double a, double b) { return Point(0.5 * (p0 + a * v1 + b * v2)); };
   hidden.screens.push_back(
       {halfway(light.open, -0.2), halfway(1.2, -0.2), halfway(1.2, 1.2), halfway(light.open, 1.2)});
-  all.push_back({"a light half hidden", hidden, 1.0, 512});
+  all.push_back({"a light half hidden", hidden, 1.0, 1024});
   for (const double size : {1e-3, 1e4}) {
     LitRoom room = below({above(random, 1.0, 2.0, 2.0)}, random);
     for (Point& v : room.lights[0].vertices) v *= static_cast<float>(size);
