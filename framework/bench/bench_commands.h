@@ -9,6 +9,7 @@ void addBenchRaysCommand(CLI::App& bench, CommandAction& action);
 void addBenchRenderCommand(CLI::App& bench, CommandAction& action);
 void addBenchErrorCommand(CLI::App& bench, CommandAction& action);
 void addBenchCostCommand(CLI::App& bench, CommandAction& action);
+void addBenchLightsCommand(CLI::App& bench, CommandAction& action);
 void addBenchPreviewCommand(CLI::App& bench, CommandAction& action);
 void addBenchSkipCommand(CLI::App& bench, CommandAction& action);
 void addBenchStressCommand(CLI::App& bench, CommandAction& action);

@@ -13,12 +13,14 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
   bench->callback([bench] {
     if (bench->get_subcommands().empty())
       throw UsageError(
-          "bench is told what to measure: rays, render, error, cost, preview, skip or stress.");
+          "bench is told what to measure: rays, render, error, cost, lights, preview, skip or "
+          "stress.");
   });
   bench::addBenchRaysCommand(*bench, action);
   bench::addBenchRenderCommand(*bench, action);
   bench::addBenchErrorCommand(*bench, action);
   bench::addBenchCostCommand(*bench, action);
+  bench::addBenchLightsCommand(*bench, action);
   bench::addBenchPreviewCommand(*bench, action);
   bench::addBenchSkipCommand(*bench, action);
   bench::addBenchStressCommand(*bench, action);
@@ -30,6 +32,7 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark bench render --peer cycles\n"
       "  ./pathmark bench error --html error.html\n"
       "  ./pathmark bench cost\n"
+      "  ./pathmark bench lights\n"
       "  ./pathmark bench preview\n"
       "  ./pathmark bench skip cornell_box\n"
       "  ./pathmark bench stress --quick\n\n"

@@ -61,7 +61,7 @@ class SavedCoursework {
   // an earlier run either.
   void save() {
     const auto unique = Clock::now().time_since_epoch().count();
-    std::ofstream(folder_ / parts().back().file, std::ios::app) << fmt::format("// {}\n", unique);
+    std::ofstream(folder_ / partNumbered(6).file, std::ios::app) << fmt::format("// {}\n", unique);
   }
 
   const fs::path& folder() const { return folder_; }

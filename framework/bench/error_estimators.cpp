@@ -104,7 +104,7 @@ std::optional<EstimatorRender> RunningEstimator::render(std::uint64_t raysPerPix
   const RenderedImage made = renderImage(*worker_, settingsFor(scene_, options),
                                          [](const RenderStatus&) { return !interrupted(); });
   if (!made.complete) return std::nullopt;
-  if (const std::string sentence = invalidSentence(made, false); !sentence.empty())
+  if (const std::string sentence = invalidSentence(made, Estimator::kPath); !sentence.empty())
     throw WorkerError(WorkerFault::kNonsense, sentence);
   return EstimatorRender{made.image, cpuSecondsOf(worker_->pid()) - before};
 }
@@ -113,7 +113,7 @@ std::string whatIsUnwritten(const Coursework& coursework) {
   WorkerProcess worker(workerOptions(coursework));
   const auto isOfLab = [&](const FunctionContract& f) {
     return isLab(coursework.folder) &&
-           fs::exists(coursework.folder / parts()[static_cast<std::size_t>(f.part)].file);
+           fs::exists(coursework.folder / partNumbered(f.part).file);
   };
   std::vector<FunctionContract> missing;
   for (const FunctionContract& f : makeStubReport(worker.stubs()).unwritten)

@@ -54,6 +54,7 @@ std::vector<std::string> RenderRuns::words(const RenderRun& run) const {
                                  "--output",
                                  picture(run).string()};
   if (!run.size.empty()) words.insert(words.end(), {"--size", run.size});
+  words.insert(words.end(), run.options.begin(), run.options.end());
   return words;
 }
 

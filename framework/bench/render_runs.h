@@ -32,7 +32,8 @@ struct RenderRun {
   std::uint64_t raysPerPixel = 64;
   std::uint64_t seed = 0;
   int threads = 1;
-  std::string size{};  // empty: the scene's
+  std::string size{};                  // empty: the scene's
+  std::vector<std::string> options{};  // more of render's
 };
 
 struct RunResult {

@@ -2,6 +2,8 @@
 
 #include "math/rounding.h"
 
+#include <cmath>
+
 namespace pathmark {
 
 namespace {
@@ -22,6 +24,13 @@ bool isParallelogram(const Polygon& polygon) {
 FaceKind faceKind(const Polygon& polygon) {
   if (polygon.vertexCount() == 3) return FaceKind::kTriangle;
   return isParallelogram(polygon) ? FaceKind::kParallelogram : FaceKind::kPolygon;
+}
+
+bool isRectangle(const Polygon& polygon) {
+  if (!isParallelogram(polygon)) return false;
+  constexpr float kTolerance = 2e-5f;  // of the angle
+  const Vector v1 = polygon.p(1) - polygon.p(0), v2 = polygon.p(3) - polygon.p(0);
+  return std::abs(dot(v1, v2)) <= kTolerance * length(v1) * length(v2);
 }
 
 }  // namespace pathmark

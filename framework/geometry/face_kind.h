@@ -1,4 +1,4 @@
-// FaceKind: which function of part 2 samples a polygon.
+// Which functions sample a polygon: faceKind() says which of part 2, isRectangle() which of part 9.
 #pragma once
 
 #include <pathmark/shapes.h>
@@ -12,5 +12,8 @@ enum class FaceKind {
 };
 
 FaceKind faceKind(const Polygon& polygon);
+
+// A parallelogram with right angles.
+bool isRectangle(const Polygon& polygon);
 
 }  // namespace pathmark

@@ -13,20 +13,21 @@ namespace {
 
 constexpr float kLargestBelowOne = 0x1.fffffep-1f;
 
-LightSample samplePolygon(const Light::Face& face, float s, float t) {
+LightSample samplePolygon(const Light::Face& face, const Point& from, float s, float t) {
+  if (face.sampleFrom != nullptr) return (face.polygon.*face.sampleFrom)(from, s, t);
   return (face.polygon.*face.sample)(s, t);
 }
 
 // Chooses a face by area with s. Within the chosen face's share, s is again uniform.
-LightSample sampleFaces(std::span<const Light::Face> faces, float s, float t) {
-  if (faces.size() == 1) return samplePolygon(faces[0], s, t);
+LightSample sampleFaces(std::span<const Light::Face> faces, const Point& from, float s, float t) {
+  if (faces.size() == 1) return samplePolygon(faces[0], from, s, t);
   const auto face =
       std::upper_bound(faces.begin(), faces.end() - 1, s,
                        [](float value, const Light::Face& f) { return value < f.cumulativeArea; });
   const float below = face == faces.begin() ? 0.0f : (face - 1)->cumulativeArea;
   const float share = face->cumulativeArea - below;
   const float reused = std::clamp((s - below) / share, 0.0f, kLargestBelowOne);
-  LightSample sample = samplePolygon(*face, reused, t);
+  LightSample sample = samplePolygon(*face, from, reused, t);
   sample.pdf *= share;
   return sample;
 }
@@ -81,10 +82,28 @@ Side sideOf(const Sphere& sphere, const Point& x) {
   return Side::kOn;
 }
 
+bool isLit(Side side, bool inward) {
+  return inward ? side != Side::kOutside : side == Side::kOutside;
+}
+
+// `from`, or for a point of the sphere itself one that is surely inside.
+Point inside(const Sphere& sphere, const Point& from, Side side) {
+  return side == Side::kOn ? 0.5f * (from + sphere.centre()) : from;
+}
+
 }  // namespace
 
-Light::Face::Face(const Polygon& face, float cumulative)
-    : polygon(face), cumulativeArea(cumulative), sample(samplingOf(face)) {}
+Light::Face::Face(const Polygon& face, float cumulative, bool bySolidAngle)
+    : polygon(face), cumulativeArea(cumulative), sample(samplingOf(face)) {
+  if (!bySolidAngle) return;
+  if (faceKind(face) == FaceKind::kTriangle) {
+    sampleFrom = &Polygon::SphericalTriangleSampling;
+    pdfFrom = &Polygon::SphericalTrianglePdf;
+  } else if (isRectangle(face)) {
+    sampleFrom = &Polygon::SphericalRectangleSampling;
+    pdfFrom = &Polygon::SphericalRectanglePdf;
+  }
+}
 
 Light::Light(std::span<const Face> faces, const Colour& emission)
     : faces_(faces),
@@ -120,15 +139,26 @@ float Light::roughIrradiance(const Point& x, const Vector& n) const {
 // A sphere shines to one side only, and a point of its own surface may be rounded to either side:
 // whether the sphere can light `from` at all is decided here.
 LightSample Light::sample(const Point& from, float s, float t) const {
-  if (!faces_.empty()) return sampleFaces(faces_, s, t);
+  if (!faces_.empty()) return sampleFaces(faces_, from, s, t);
   const Side side = sideOf(sphere_, from);
-  const bool lit = inward_ ? side != Side::kOutside : side == Side::kOutside;
-  if (!lit) return {sphere_.centre() + Vector(sphere_.radius(), 0, 0), Vector(1, 0, 0), 0.0f};
+  if (!isLit(side, inward_))
+    return {sphere_.centre() + Vector(sphere_.radius(), 0, 0), Vector(1, 0, 0), 0.0f};
   if (!inward_) return sphere_.sample(from, s, t);
-  const Point inside = side == Side::kOn ? 0.5f * (from + sphere_.centre()) : from;
-  LightSample sample = sphere_.sample(inside, s, t);
+  LightSample sample = sphere_.sample(inside(sphere_, from, side), s, t);
   sample.n = -sample.n;
   return sample;
+}
+
+// Faces are chosen by area, so that the density is that of all of them together.
+float Light::pdf(const Point& from, const Hit& at) const {
+  if (!faces_.empty()) {
+    const Face& face = faces_.front();
+    return face.pdfFrom != nullptr ? (face.polygon.*face.pdfFrom)(from, at.p) : 1.0f / area_;
+  }
+  const Side side = sideOf(sphere_, from);
+  if (!isLit(side, inward_)) return 0.0f;
+  if (!inward_) return sphere_.pdf(from, at.p, at.n);
+  return sphere_.pdf(inside(sphere_, from, side), at.p, -at.n);
 }
 
 }  // namespace pathmark

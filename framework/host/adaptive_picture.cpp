@@ -109,12 +109,11 @@ int renderToTarget(const Coursework& coursework, const LoadedScene& scene,
              request.output.string(), rendered.image.width, rendered.image.height,
              rendered.raysPerPixel, rendered.seconds,
              static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6, coursework.name);
-  const std::vector<FunctionContract> missing = unwrittenFor(request.options.warmUp, stubs);
-  if (!missing.empty()) fmt::print("Not written yet: {}.\n", listOfNames(missing));
+  fmt::print("{}", unwrittenNote(scene, request.options.estimator, stubs));
   printReached(request, picture);
   if (!request.rayMap.empty()) writeRayMap(request.rayMap, picture);
   std::fflush(stdout);
-  const std::string invalid = invalidSentence(rendered, request.options.warmUp);
+  const std::string invalid = invalidSentence(rendered, request.options.estimator);
   if (!invalid.empty()) fmt::print(stderr, "{}\n", invalid);
   if (!rendered.complete)
     fmt::print(stderr, "Interrupted: the picture has the rays that there was time for.\n");

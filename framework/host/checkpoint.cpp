@@ -138,7 +138,8 @@ bool isPossible(const Header& header) {
       std::uint64_t{header.width} * header.height > kMostPixels ||
       !within(header.raysPerPixel, 1, kMostRays) ||
       !within(header.replicates, 1, header.raysPerPixel) ||
-      header.raysPerPixel % header.replicates != 0 || header.estimator > 1 ||
+      header.raysPerPixel % header.replicates != 0 ||
+      header.estimator > static_cast<std::uint16_t>(Estimator::kMis) ||
       header.sampler >= kSamplerNames.size() || !isPossible(header.paths))
     return false;
   const RenderSettings settings = checkpointOf(header).identity.settings;

@@ -11,7 +11,15 @@ namespace pathmark {
 namespace {
 
 const char* nameOf(Estimator estimator) {
-  return estimator == Estimator::kWarmUp ? "with --warm-up" : "without --warm-up";
+  switch (estimator) {
+    case Estimator::kWarmUp:
+      return "with --warm-up";
+    case Estimator::kMis:
+      return "with --mis";
+    case Estimator::kPath:
+      break;
+  }
+  return "by tracePath";
 }
 
 std::string nameOf(const std::string& paths) { return paths.empty() ? "of all light" : paths; }

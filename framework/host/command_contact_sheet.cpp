@@ -105,7 +105,7 @@ int renderTile(const Coursework& coursework, const Wish& wish, const SheetArgume
              static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6);
   std::fflush(stdout);
   if (!rendered.complete) return kInterrupted;
-  const std::string sentence = invalidSentence(rendered, false);
+  const std::string sentence = invalidSentence(rendered, Estimator::kPath);
   if (sentence.empty()) return kSuccess;
   fmt::print(stderr, "{}: {}\n", tile.label, sentence);
   return kCourseworkFault;

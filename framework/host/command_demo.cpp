@@ -35,7 +35,7 @@ int renderAndPrint(const Coursework& coursework, const std::string& name, std::u
              static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6,
              fmt::format("{} of {}", outcome.stubs.unwritten.size(), contract().size()));
   std::fflush(stdout);
-  if (const std::string sentence = invalidSentence(rendered, false); !sentence.empty()) {
+  if (const std::string sentence = invalidSentence(rendered, Estimator::kPath); !sentence.empty()) {
     fmt::print(stderr, "{}\n", sentence);
     return kCourseworkFault;
   }

@@ -33,7 +33,7 @@ struct RenderArguments {
   std::string output;
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
-  bool explain = false;
+  bool explain = false, warmUp = false, mis = false, solidAngle = false;
   std::string targetError, rayMap;
   PictureRequest picture;
 };
@@ -85,7 +85,7 @@ int renderToStatedError(const RenderArguments& arguments, const LoadedScene& sce
 }
 
 int render(RenderArguments& arguments) {
-  if (arguments.picture.options.warmUp && arguments.paths)
+  if (arguments.warmUp && arguments.paths)
     throw UsageError(
         "--paths and --warm-up: the warm-up finds its light by itself, so that nothing can be kept "
         "out of it; --paths goes with part 5.");
@@ -97,10 +97,13 @@ int render(RenderArguments& arguments) {
         "--ray-map is for pictures with a --target-error: others have the same number "
         "of rays everywhere.");
   }
+  if (arguments.mis && arguments.paths)
+    throw UsageError("--mis and --paths: light paths are told apart only in what tracePath finds.");
   SceneOverrides overrides;
   if (!arguments.size.empty()) overrides.size = parseSize(arguments.size);
   if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
-  const LoadedScene scene = loadScene(findScene(arguments.scene), overrides);
+  LoadedScene scene = loadScene(findScene(arguments.scene), overrides);
+  if (arguments.solidAngle) scene.flat.lightSampling = LightSampling::kBySolidAngle;
   for (const std::string& note : scene.notes) fmt::print(stderr, "{}\n", note);
   RenderOptions& options = arguments.picture.options;
   options.raysPerPixel =
@@ -109,6 +112,8 @@ int render(RenderArguments& arguments) {
                                                                  : kMostRaysForTarget);
   options.sampler = findSampler(arguments.sampler);
   if (arguments.paths) options.paths = findPaths(*arguments.paths);
+  if (arguments.warmUp) options.estimator = Estimator::kWarmUp;
+  if (arguments.mis) options.estimator = Estimator::kMis;
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.explain) {
@@ -126,7 +131,7 @@ int render(RenderArguments& arguments) {
   arguments.picture.output = arguments.output;
   refuseOutput(arguments.output, settingsFor(scene, options).pixels());
   if (arguments.targetError.empty()) noteVariance(arguments.output, options);
-  if (options.warmUp) noteSpheres(scene);
+  if (arguments.warmUp) noteSpheres(scene);
   if (!arguments.targetError.empty()) return renderToStatedError(arguments, scene);
   return renderPicture(prepareCoursework(arguments.with), scene, arguments.picture);
 }
@@ -207,8 +212,18 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                    "--stop-after", arguments->picture.options.secondsWithoutAnswer,
                    "Stop coursework that gives no answer for this many seconds (default: 10)"),
                0.1, 86400.0);
-  command->add_flag("--warm-up", arguments->picture.options.warmUp,
-                    "Render with part 0's get_ray_radiance; spheres are left out");
+  CLI::Option* const warmUp =
+      command->add_flag("--warm-up", arguments->warmUp,
+                        "Render with part 0's get_ray_radiance; spheres are left out");
+  command
+      ->add_flag("--mis", arguments->mis,
+                 "Render with bonus part 8's tracePathMIS in place of tracePath")
+      ->excludes(warmUp);
+  command
+      ->add_flag("--solid-angle", arguments->solidAngle,
+                 "Sample lights that are one triangle or rectangle by bonus part 9, by the solid "
+                 "angle that they fill")
+      ->excludes(warmUp);
   addPathsOption(*command, arguments->paths);
   addLongRenderOptions(*command, *arguments);
   addTargetErrorOptions(*command, *arguments);
@@ -219,6 +234,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark render ucl_rectangle\n"
       "  ./pathmark render cornell_box --with solutions --rays-per-pixel 256\n"
       "  ./pathmark render cornell_box --warm-up --size 128x128\n"
+      "  ./pathmark render veach_plates --mis\n"
       "  ./pathmark render cornell_box --explain\n"
       "  ./pathmark render cornell_phong --paths 'LS+DE' --output caustic.png\n"
       "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n"

@@ -46,11 +46,16 @@ std::optional<std::string> showPart(const PartBuild& part, const StubReport& rep
     if (report.isUnwritten(f.function)) missing.push_back(f);
   }
   const std::string title = fmt::format("Part {}  {:<44}", part.part.part, part.part.title);
+  if (part.part.bonus && missing.size() == all.size()) {
+    fmt::print("{} bonus, not written yet\n", title);
+    return std::nullopt;
+  }
   if (!part.compiled) {
     fmt::print("{} does not compile\n", title);
     return std::nullopt;
   }
-  fmt::print("{} {} of {} written\n", title, all.size() - missing.size(), all.size());
+  fmt::print("{} {}{} of {} written\n", title, part.part.bonus ? "bonus, " : "",
+             all.size() - missing.size(), all.size());
   for (const FunctionContract& f : missing) fmt::print("          {}  {}\n", f.section, f.name);
   if (missing.empty()) return std::nullopt;
   return fmt::format("write {} in {}; the task stands above it, the chapter is {}.",
@@ -90,12 +95,17 @@ int status(const std::string& with) {
   const StubReport report = askWorker(build);
   const std::optional<std::string> broken = whatToMend(build);
   std::optional<std::string> next = broken;
-  for (const PartBuild& part : build.parts) {
-    const std::optional<std::string> todo = showPart(part, report);
-    if (!next) next = todo;
-  }
+  const auto show = [&](bool bonus) {
+    for (const PartBuild& part : build.parts) {
+      if (part.part.bonus != bonus) continue;
+      const std::optional<std::string> todo = showPart(part, report);
+      if (!next) next = todo;
+    }
+  };
+  show(false);
   const std::optional<std::string> scenes = showScenes(folder);
   if (!next) next = scenes;
+  show(true);
   fmt::print("\n{}\n", next ? "Next: " + *next : "Everything is written.");
   return broken ? kCourseworkFault : kSuccess;
 }

@@ -162,8 +162,17 @@ bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::s
   return keepObject(tools, merged, object, messages);
 }
 
+std::vector<std::string> standInObjects() {
+  return readLines(kBuildFolder / "standin_objects.txt");
+}
+
 void buildPart(PartBuild& part, const std::shared_ptr<Confinement>& confinement) {
   std::error_code error;
+  if (part.part.bonus && !fs::exists(part.source, error)) {
+    part.object = standInObjects().at(placeOfPart(part.part.part));
+    part.absent = part.compiled = true;
+    return;
+  }
   if (fs::file_size(part.source, error) > kLargestSource && !error) {
     part.messages = " it is larger than 1 MiB, and coursework files have a few kilobytes.";
     return;
@@ -242,6 +251,13 @@ ProcessResult runLinker(Workshop& workshop, const ScratchFolder& scratch, const 
   return workshop.run(std::move(command), scratch);
 }
 
+void addObject(LinkInputs& inputs, const PartBuild& part) {
+  if (part.absent)
+    inputs.framework.push_back(part.object.string());
+  else
+    inputs.coursework.push_back(part.object);
+}
+
 // The place of a worker that is made of these.
 fs::path linkedFolder(const LinkInputs& from, std::string_view kind = {}) {
   std::string inputs;
@@ -278,7 +294,7 @@ std::vector<std::string> frameworkObjects() {
 
 void link(CourseworkBuild& result, Incomplete policy) {
   LinkInputs inputs{frameworkObjects(), {}, Linking::kStrict, result.confinement};
-  for (const PartBuild& part : result.parts) inputs.coursework.push_back(part.object);
+  for (const PartBuild& part : result.parts) addObject(inputs, part);
   if (!result.complete()) inputs.linking = Linking::kLenient;
   fs::path folder = linkedFolder(inputs);
   result.linkMessages = linkInto(folder, inputs);
@@ -349,13 +365,12 @@ CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy,
 
 LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int> parts) {
   LinkInputs inputs{frameworkObjects(), {}, Linking::kStrict, build.confinement};
-  const std::vector<std::string> standIns = readLines(kBuildFolder / "standin_objects.txt");
+  const std::vector<std::string> standIns = standInObjects();
   for (const PartBuild& part : build.parts) {
-    const auto number = static_cast<std::size_t>(part.part.part);
     if (std::find(parts.begin(), parts.end(), part.part.part) != parts.end())
-      inputs.coursework.push_back(part.object);
+      addObject(inputs, part);
     else
-      inputs.framework.push_back(standIns.at(number));
+      inputs.framework.push_back(standIns.at(placeOfPart(part.part.part)));
   }
   const fs::path folder = linkedFolder(inputs);
   const std::string messages = linkInto(folder, inputs);
@@ -369,10 +384,10 @@ LinkedWorker linkWithOthers(const CourseworkBuild& build, std::span<const int> p
   for (const PartBuild& part : build.parts) {
     const bool own = std::find(parts.begin(), parts.end(), part.part.part) != parts.end();
     const CourseworkBuild& from = own ? build : others;
-    const PartBuild& chosen = from.parts.at(static_cast<std::size_t>(part.part.part));
+    const PartBuild& chosen = from.parts.at(placeOfPart(part.part.part));
     if (!chosen.compiled)
       return {{}, fmt::format("{} does not compile.", displayPath(chosen.source))};
-    inputs.coursework.push_back(chosen.object);
+    addObject(inputs, chosen);
   }
   const fs::path folder = linkedFolder(inputs);
   const std::string messages = linkInto(folder, inputs);
@@ -385,7 +400,7 @@ LinkedWorker linkForRecording(const CourseworkBuild& build) {
   LinkInputs inputs{frameworkObjects(), {}, Linking::kRecording, build.confinement};
   for (std::string& object : readLines(kBuildFolder / "recorder_objects.txt"))
     inputs.framework.push_back(std::move(object));
-  for (const PartBuild& part : build.parts) inputs.coursework.push_back(part.object);
+  for (const PartBuild& part : build.parts) addObject(inputs, part);
   const fs::path folder = linkedFolder(inputs, stamp(kRecordedSymbols));
   const std::string messages = linkInto(folder, inputs);
   if (messages.empty()) return {folder / "worker", {}};

@@ -23,6 +23,7 @@ struct PartBuild {
   std::filesystem::path object;  // empty if it could not be compiled
   bool compiled = false;
   std::string messages;  // warnings of a new compilation, or why the part could not be compiled
+  bool absent = false;   // a bonus part without a file: the framework's stubs stand in for it
 };
 
 struct CourseworkBuild {

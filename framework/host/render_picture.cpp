@@ -63,20 +63,19 @@ std::string raysMade(const RenderedImage& rendered) {
 }
 
 void printPicture(const fs::path& output, const Coursework& coursework,
-                  const RenderOutcome& outcome, bool warmUp) {
+                  const RenderOutcome& outcome, const std::string& missing) {
   const RenderedImage& rendered = outcome.rendered;
   fmt::print("{}: {}x{}, {} rays per pixel, {:.2f} s, {:.1f} Mrays/s, with {}\n", output.string(),
              rendered.image.width, rendered.image.height, raysMade(rendered), rendered.seconds,
              static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6, coursework.name);
-  const std::vector<FunctionContract> missing = unwrittenFor(warmUp, outcome.stubs);
-  if (!missing.empty()) fmt::print("Not written yet: {}.\n", listOfNames(missing));
+  fmt::print("{}", missing);
   std::fflush(stdout);
 }
 
 // What is wrong with the picture, and how the render can be gone on with.
 int conclude(const RenderOutcome& outcome, const RenderOptions& options, CheckpointKeeper& keeper) {
   const RenderedImage& rendered = outcome.rendered;
-  const std::string invalid = invalidSentence(rendered, options.warmUp);
+  const std::string invalid = invalidSentence(rendered, options.estimator);
   if (!invalid.empty()) fmt::print(stderr, "{}\n", invalid);
   if (!rendered.complete) {
     fmt::print(stderr, "Interrupted: the picture has {} of {} rays per pixel.\n",
@@ -117,7 +116,8 @@ int renderPicture(const Coursework& coursework, const LoadedScene& scene,
     fmt::print(stderr, "{}", keeper.rescue(outcome.state));
     throw;
   }
-  printPicture(request.output, coursework, outcome, options.warmUp);
+  printPicture(request.output, coursework, outcome,
+               unwrittenNote(scene, options.estimator, outcome.stubs));
   return conclude(outcome, options, keeper);
 }
 

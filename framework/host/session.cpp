@@ -134,7 +134,7 @@ RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& option
   settings.seed = options.seed;
   settings.sampler = options.sampler;
   if (options.paths) letThrough(*options.paths, scene.flat, settings);
-  settings.estimator = options.warmUp ? Estimator::kWarmUp : Estimator::kPath;
+  settings.estimator = options.estimator;
   return settings;
 }
 
@@ -148,11 +148,14 @@ WorkerProcess::Options workerOptions(const Coursework& coursework, const RenderO
   return worker;
 }
 
-std::vector<FunctionContract> unwrittenFor(bool warmUp, const StubReport& stubs) {
-  std::vector<FunctionContract> missing;
+std::string unwrittenNote(const LoadedScene& scene, Estimator estimator, const StubReport& stubs) {
+  std::vector<FunctionContract> missing, bonus;
   for (const FunctionContract& f : stubs.unwritten)
-    if ((f.part == 0) == warmUp) missing.push_back(f);
-  return missing;
+    if (isUsed(f, estimator, scene.flat.lightSampling)) (isBonus(f) ? bonus : missing).push_back(f);
+  std::string text;
+  if (!missing.empty()) text += fmt::format("Not written yet: {}.\n", listOfNames(missing));
+  if (!bonus.empty()) text += fmt::format("Not written yet, bonus: {}.\n", listOfNames(bonus));
+  return text;
 }
 
 RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene,
@@ -177,7 +180,7 @@ RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene
   return outcome;
 }
 
-std::string invalidSentence(const RenderedImage& image, bool warmUp) {
+std::string invalidSentence(const RenderedImage& image, Estimator estimator) {
   const InvalidPixels& invalid = image.invalid;
   if (invalid.count() == 0) return {};
   std::vector<std::string> kinds;
@@ -188,11 +191,13 @@ std::string invalidSentence(const RenderedImage& image, bool warmUp) {
   add(invalid.infinite, "infinite");
   add(invalid.negative, "negative");
   const auto width = static_cast<std::uint64_t>(image.image.width);
+  const char* const who = estimator == Estimator::kWarmUp ? "get_ray_radiance"
+                          : estimator == Estimator::kMis  ? "tracePathMIS"
+                                                          : "renderPixel";
   return fmt::format(
       "{} returned {} values, first in pixel column {}, row {}: a radiance is finite and not "
       "negative. They are left out of the picture; pixels that have no other value are magenta.",
-      warmUp ? "get_ray_radiance" : "renderPixel", fmt::join(kinds, ", "),
-      invalid.firstPixel % width, invalid.firstPixel / width);
+      who, fmt::join(kinds, ", "), invalid.firstPixel % width, invalid.firstPixel / width);
 }
 
 std::string listOfNames(std::span<const FunctionContract> functions) {

@@ -67,7 +67,7 @@ struct RenderOptions {
   std::uint32_t threads = 0;  // 0: one for each processor
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::kSobol;
-  bool warmUp = false;
+  Estimator estimator = Estimator::kPath;
   std::optional<PathExpression> paths{};  // nothing: all light
   double secondsWithoutAnswer = 10.0;
 };
@@ -104,11 +104,11 @@ RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene
 WorkerProcess::Options workerOptions(const Coursework& coursework, const RenderOptions& options,
                                      ProgressBar& bar);
 
-// Part 0 stands alone, and the other parts do without it.
-std::vector<FunctionContract> unwrittenFor(bool warmUp, const StubReport& stubs);
+// A line or two about what a picture lacks; empty if nothing.
+std::string unwrittenNote(const LoadedScene& scene, Estimator estimator, const StubReport& stubs);
 
 // A sentence about values that are no radiance; empty if there are none.
-std::string invalidSentence(const RenderedImage& image, bool warmUp);
+std::string invalidSentence(const RenderedImage& image, Estimator estimator);
 
 std::string listOfNames(std::span<const FunctionContract> functions);
 

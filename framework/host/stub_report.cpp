@@ -10,6 +10,13 @@ bool StubReport::isUnwritten(CourseworkFunction f) const {
                      [f](const FunctionContract& c) { return c.function == f; });
 }
 
+bool isUsed(const FunctionContract& f, Estimator estimator, LightSampling lights) {
+  if ((f.part == 0) != (estimator == Estimator::kWarmUp)) return false;
+  if (f.part == 8) return estimator == Estimator::kMis;
+  if (f.part == 9) return lights == LightSampling::kBySolidAngle;
+  return true;
+}
+
 StubReport makeStubReport(std::span<const StubRecord> records) {
   StubReport report;
   for (const FunctionContract& c : contract()) {

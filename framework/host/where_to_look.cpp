@@ -11,7 +11,7 @@ std::string handoutOf(const PartContract& part) {
 }
 
 std::string placeOf(const FunctionContract& function, const std::filesystem::path& folder) {
-  const PartContract& part = parts()[static_cast<std::size_t>(function.part)];
+  const PartContract& part = partNumbered(function.part);
   return fmt::format("{} {} in {}; the chapter is {}.", function.section, function.name,
                      displayPath(folder / part.file), handoutOf(part));
 }

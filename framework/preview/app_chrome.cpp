@@ -141,11 +141,10 @@ void App::drawBanners() {
 
 // A picture that is black because of what is missing should not look like a mistake.
 std::string App::unwrittenSentence() const {
-  const bool warmUp = request_.estimator == Estimator::kWarmUp;
   const FunctionContract* first = nullptr;
   int count = 0;
   for (const FunctionContract& f : state_->coursework->stubs.unwritten) {
-    if ((f.part == 0) != warmUp) continue;
+    if (!isUsed(f, request_.estimator, LightSampling::kByArea)) continue;
     if (first == nullptr) first = &f;
     ++count;
   }

@@ -16,7 +16,7 @@ struct Frame {
   std::shared_ptr<const Picture> picture;             // null before the first
   std::shared_ptr<const CourseworkState> coursework;  // never null
   std::shared_ptr<const CheckReport> checks;          // null before the first
-  int part = 0;                                       // chosen in the window, 0 to 6
+  int part = 0;                                       // chosen in the window, 0 to 9
   float scale = 1.0f;                           // of the interface: 2 on a high-density screen
   double exposure = 1.0;                        // factor on linear radiance, for display
   const std::function<void()>* wake = nullptr;  // asks for a frame; from any thread

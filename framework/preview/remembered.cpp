@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kSmallest = 320, kLargest = 16384;  // sides of a window
-constexpr int kParts = 7;
+constexpr int kLastPart = 9;
 
 std::optional<int> number(const nlohmann::json& json, const char* name, int low, int high) {
   const auto found = json.find(name);
@@ -43,7 +43,7 @@ Remembered readRemembered(const fs::path& file) {
   if (!json.is_object()) return result;
   result.width = number(json, "width", kSmallest, kLargest);
   result.height = number(json, "height", kSmallest, kLargest);
-  result.part = number(json, "part", 0, kParts - 1);
+  result.part = number(json, "part", 0, kLastPart);
   if (const auto scene = json.find("scene"); scene != json.end() && scene->is_string())
     result.scene = scene->get<std::string>();
   return result;

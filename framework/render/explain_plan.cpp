@@ -141,14 +141,23 @@ std::string kindOf(const FlatLight& light, const FlatSceneView& scene) {
   if (light.sphere != FlatLight::kNoSphere)
     return scene.spheres[light.sphere].inward != 0 ? "sphere, from inside, by Sphere::sample"
                                                    : "sphere by Sphere::sample";
+  const bool bySolidAngle = scene.lightSampling == LightSampling::kBySolidAngle;
+  bool rightAngled = false;
   std::set<FaceKind> kinds;
   for (const FlatFace& face : scene.faces.subspan(light.firstFace, light.faceCount)) {
     std::vector<Point> vertices;
     for (const Float3& v : scene.lightVertices.subspan(face.firstVertex, face.vertexCount))
       vertices.emplace_back(v[0], v[1], v[2]);
-    kinds.insert(faceKind(Polygon(vertices, {}, {})));
+    const Polygon polygon(vertices, {}, {});
+    kinds.insert(faceKind(polygon));
+    rightAngled = isRectangle(polygon);
   }
-  if (light.faceCount == 1) return nameOf(*kinds.begin());
+  if (light.faceCount == 1) {
+    if (bySolidAngle && *kinds.begin() == FaceKind::kTriangle)
+      return "triangle by SphericalTriangleSampling";
+    if (bySolidAngle && rightAngled) return "rectangle by SphericalRectangleSampling";
+    return nameOf(*kinds.begin());
+  }
   std::vector<std::string> names;
   for (const FaceKind kind : kinds) names.emplace_back(nameOf(kind));
   return fmt::format("one of {} faces, chosen by area: {}", light.faceCount,

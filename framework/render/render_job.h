@@ -31,6 +31,11 @@ constexpr std::size_t tileCount(int width, int height) {
 }
 
 enum class Estimator : std::uint32_t { kPath = 0, kWarmUp = 1 };
+enum class Estimator : std::uint32_t {
+  kPath = 0,    // renderPixel, and so tracePath
+  kWarmUp = 1,  // part 0
+  kMis = 2,     // part 8's tracePathMIS
+};
 
 // Pixels of the image, from the top left.
 struct PixelRegion {

@@ -47,24 +47,37 @@ class PixelRenderer {
   Colour render(int i, int j, std::uint64_t firstRay, std::uint32_t rays) {
     sampler_->startPixel(i, j, firstRay);
     if (filter_) filter_->startPixel(i, j, firstRay);
-    if (job_.estimator == Estimator::kWarmUp) return warmUp(i, j, rays);
-    return scene_.renderPixel(i, j, camera_, static_cast<int>(rays), *sampler_);
+    switch (job_.estimator) {
+      case Estimator::kWarmUp:
+        return meanOf(i, j, rays, [&](const Ray& ray) { return warmUp(ray); });
+      case Estimator::kMis:
+        return meanOf(i, j, rays,
+                      [&](const Ray& ray) { return scene_.tracePathMIS(ray, *sampler_); });
+      default:
+        return scene_.renderPixel(i, j, camera_, static_cast<int>(rays), *sampler_);
+    }
   }
 
  private:
-  // The warm-up is rendered by the framework's own camera rays, so that it needs part 0 only.
-  Colour warmUp(int i, int j, std::uint32_t rays) {
+  // By the framework's own camera rays: what renderPixel calls is tracePath, and nothing else.
+  template <class Radiance>
+  Colour meanOf(int i, int j, std::uint32_t rays, Radiance radiance) {
     glm::dvec3 sum(0.0);
     for (std::uint32_t m = 0; m < rays; ++m) {
       sampler_->startRay(static_cast<int>(m));
       const vec2 film = vec2(i, j) + sampler_->next2D();
-      uvec2 seed(sampler_->next2D() * 0x1p24f);
       const Vector direction = normalize(camera_.topLeft() + film.x * camera_.pixelRight() +
                                          film.y * camera_.pixelDown());
-      sum += get_ray_radiance(camera_.eye(), direction, Mesh{warmUp_}, seed);
+      sum += radiance(Ray{camera_.eye(), direction});
     }
-    countRaysOfThisThread(rays);
     return sum / static_cast<double>(rays);
+  }
+
+  // Needs part 0 only.
+  Colour warmUp(const Ray& ray) {
+    uvec2 seed(sampler_->next2D() * 0x1p24f);
+    countRaysOfThisThread(1);
+    return get_ray_radiance(ray.origin, ray.direction, Mesh{warmUp_}, seed);
   }
 
   const SimpleCamera& camera_;

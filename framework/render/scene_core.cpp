@@ -14,6 +14,35 @@ std::unique_ptr<BRDF> makeMaterial(const FlatMaterial& m) {
   return std::make_unique<lambertianBRDF>(toVec3(m.kd));
 }
 
+// Of each face whether it is a light's only one.
+std::vector<bool> facesAlone(const FlatSceneView& view) {
+  std::vector<bool> alone(view.faces.size(), false);
+  for (const FlatLight& light : view.lights)
+    if (light.sphere == FlatLight::kNoSphere && light.faceCount == 1) alone[light.firstFace] = true;
+  return alone;
+}
+
+// Of each light the shape that it is; beyond all shapes where there is none. A sphere says it
+// itself. Lights with faces stand in the order of their shapes.
+std::vector<std::size_t> shapesOfLights(const FlatSceneView& view) {
+  std::vector<bool> hasTriangles(view.shapes.size(), false);
+  for (const FlatTriangle& t : view.triangles) hasTriangles[t.shape] = true;
+  std::vector<std::size_t> shapes;
+  std::size_t next = 0;
+  for (const FlatLight& light : view.lights) {
+    if (light.sphere != FlatLight::kNoSphere) {
+      shapes.push_back(view.spheres[light.sphere].shape);
+      continue;
+    }
+    while (next < view.shapes.size() &&
+           !(hasTriangles[next] && view.shapes[next].emission == light.emission))
+      ++next;
+    shapes.push_back(next);
+    if (next < view.shapes.size()) ++next;
+  }
+  return shapes;
+}
+
 }  // namespace
 
 SimpleCamera makeCamera(const FlatCamera& c) {
@@ -31,7 +60,7 @@ SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins, Skips ski
     lobes_.push_back(std::make_unique<MaterialLobes>(m));
   }
   for (const FlatShape& s : view.shapes)
-    surfaces_.push_back({materials_[s.material].get(), toVec3(s.emission)});
+    surfaces_.push_back({materials_[s.material].get(), toVec3(s.emission), nullptr});
   buildLights();
 }
 
@@ -41,12 +70,14 @@ void SceneCore::buildLights() {
     lightVertices_.push_back(toVec3(v));
     magnitude = std::max(magnitude, largestComponent(lightVertices_.back()));
   }
+  const std::vector<bool> alone = facesAlone(view_);
+  const bool bySolidAngle = view_.lightSampling == LightSampling::kBySolidAngle;
   for (const FlatFace& f : view_.faces) {
     const std::span<const Point> vertices(lightVertices_.data() + f.firstVertex, f.vertexCount);
     faces_.emplace_back(
         Polygon(vertices, view_.lightTriangles.subspan(f.firstTriangle, f.triangleCount),
                 toVec3(f.normal)),
-        f.cumulativeArea);
+        f.cumulativeArea, bySolidAngle && alone[faces_.size()]);
   }
   for (const FlatLight& l : view_.lights) {
     if (l.sphere == FlatLight::kNoSphere) {
@@ -59,6 +90,9 @@ void SceneCore::buildLights() {
     }
   }
   lightMagnitude_ = magnitude;
+  const std::vector<std::size_t> shapes = shapesOfLights(view_);
+  for (std::size_t i = 0; i < lights_.size(); ++i)
+    if (shapes[i] < surfaces_.size()) surfaces_[shapes[i]].light = &lights_[i];
 }
 
 bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
@@ -68,6 +102,7 @@ bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
       primitive.isSphere ? meetSphere(ray, primitive, hit) : meetTriangle(ray, primitive, hit);
   hit.brdf = surface.brdf;
   hit.emission = surface.emission;
+  hit.light = surface.light;
   return true;
 }
 

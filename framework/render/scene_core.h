@@ -49,6 +49,7 @@ class SceneCore {
   struct Surface {
     const BRDF* brdf;
     Colour emission;
+    const Light* light;
   };
 
   void buildLights();

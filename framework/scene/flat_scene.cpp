@@ -23,7 +23,8 @@ struct alignas(kAlignment) Header {
   std::uint32_t maxBounces = 0;
   std::array<std::uint32_t, kArrays> counts{};
   FlatCamera camera;
-  std::array<std::uint32_t, 2> unused{};  // no padding: equal scenes are equal bytes
+  LightSampling lightSampling = LightSampling::kByArea;
+  std::uint32_t unused = 0;  // no padding: equal scenes are equal bytes
 };
 static_assert(sizeof(Header) == 28 + 4 * kArrays + sizeof(FlatCamera) + 8);
 
@@ -75,6 +76,7 @@ bool isValid(const FlatSceneView& view) {
   };
   const std::size_t shapes = view.shapes.size(), vertices = view.vertices.size();
   return view.camera.width > 0 && view.camera.height > 0 &&
+         view.lightSampling <= LightSampling::kBySolidAngle &&
          all(view.materials,
              [](const FlatMaterial& m) {
                return m.kind == FlatMaterialKind::kLambertian || m.kind == FlatMaterialKind::kPhong;
@@ -100,14 +102,16 @@ void FlatScene::addTriangle(const std::array<Float3, 3>& corners, const Float3& 
 }
 
 FlatSceneView viewOf(const FlatScene& s) {
-  return {s.camera,  s.maxBounces, s.materials, s.shapes,        s.vertices,      s.triangles,
-          s.spheres, s.lights,     s.faces,     s.lightVertices, s.lightTriangles};
+  return {s.camera, s.maxBounces, s.lightSampling, s.materials,
+          s.shapes, s.vertices,   s.triangles,     s.spheres,
+          s.lights, s.faces,      s.lightVertices, s.lightTriangles};
 }
 
 void packScene(const FlatScene& scene, const TakeBytes& take) {
   Header header;
   header.headerSize = sizeof(Header);
   header.maxBounces = scene.maxBounces;
+  header.lightSampling = scene.lightSampling;
   header.camera = scene.camera;
   header.totalSize = sizeof(Header);
   std::size_t index = 0;
@@ -151,6 +155,7 @@ std::optional<FlatSceneView> viewScene(std::span<const std::byte> block) {
   FlatSceneView view;
   view.camera = header.camera;
   view.maxBounces = header.maxBounces;
+  view.lightSampling = header.lightSampling;
   // Cannot overflow: nine counts of 32 bits, elements of less than 128 bytes.
   std::uint64_t offset = sizeof(Header);
   bool fits = true;

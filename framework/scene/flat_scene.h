@@ -59,6 +59,12 @@ struct FlatFace {
   float cumulativeArea = 1.0f;  // share of the light's area up to and including this face
 };
 
+// How points on lights are chosen.
+enum class LightSampling : std::uint32_t {
+  kByArea = 0,        // part 2; spheres by the solid angle that they fill
+  kBySolidAngle = 1,  // part 9 for lights that are one triangle or rectangle, else as above
+};
+
 // A light is a sphere, or a range of faces among which a point is chosen by area.
 struct FlatLight {
   static constexpr std::uint32_t kNoSphere = 0xffffffffu;
@@ -78,6 +84,7 @@ struct FlatCamera {
 struct FlatScene {
   FlatCamera camera;
   std::uint32_t maxBounces = 8;
+  LightSampling lightSampling = LightSampling::kByArea;
   std::vector<FlatMaterial> materials;
   std::vector<FlatShape> shapes;
   std::vector<Float3> vertices;
@@ -95,6 +102,7 @@ struct FlatScene {
 struct FlatSceneView {
   FlatCamera camera;
   std::uint32_t maxBounces = 8;
+  LightSampling lightSampling = LightSampling::kByArea;
   std::span<const FlatMaterial> materials;
   std::span<const FlatShape> shapes;
   std::span<const Float3> vertices;

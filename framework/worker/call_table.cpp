@@ -191,11 +191,57 @@ bool callCamera(const CallBatch& batch, Output out) {
   return true;
 }
 
+bool needsFourVertices(F f) {
+  return f == F::kRectangularSampling || f == F::kSphericalRectangleSampling ||
+         f == F::kSphericalRectanglePdf;
+}
+
+// The functions of part 9, which know the point that is lit.
+void callPolygonFrom(const Polygon& polygon, const CallBatch& batch, Output out) {
+  forEachCall(batch, [&](Words in) {
+    const Point from = in.vector();
+    switch (batch.function) {
+      case F::kSphericalTriangleSampling: {
+        const vec2 st = in.pair();
+        out << polygon.SphericalTriangleSampling(from, st.x, st.y);
+        break;
+      }
+      case F::kSphericalRectangleSampling: {
+        const vec2 st = in.pair();
+        out << polygon.SphericalRectangleSampling(from, st.x, st.y);
+        break;
+      }
+      case F::kSphericalTrianglePdf:
+        out << polygon.SphericalTrianglePdf(from, in.vector());
+        break;
+      default:
+        out << polygon.SphericalRectanglePdf(from, in.vector());
+    }
+  });
+}
+
+void callWeights(const CallBatch& batch, Output out) {
+  forEachCall(batch, [&](Words in) {
+    if (batch.function == F::kPowerHeuristic) {
+      const float a = in.number();
+      out << powerHeuristic(a, in.number());
+      return;
+    }
+    const Point from = in.vector();
+    LightSample y;
+    y.p = in.vector();
+    y.n = in.vector();
+    y.pdf = in.number();
+    out << solidAnglePdf(from, y);
+  });
+}
+
 bool callPolygon(const CallBatch& batch, Output out) {
   PolygonObject object;
   if (!object.read(Words(batch.object))) return false;
-  if (batch.function == F::kRectangularSampling && object.vertices.size() < 4) return false;
+  if (needsFourVertices(batch.function) && object.vertices.size() < 4) return false;
   const Polygon polygon(object.vertices, object.triangles, object.normal);
+  if (contractOf(batch.function).part == 9) return callPolygonFrom(polygon, batch, out), true;
   forEachCall(batch, [&](Words in) {
     const vec2 st = in.pair();
     out << (batch.function == F::kTriangularSampling    ? polygon.TriangularSampling(st.x, st.y)
@@ -292,6 +338,13 @@ bool callScene(const CallBatch& batch, const SceneCore& core, Output out) {
         out << scene.tracePath(ray, sampler);
         break;
       }
+      case F::kTracePathMis: {
+        const Ray ray = in.ray();
+        PcgSampler sampler(in.seed());
+        sampler.startPixel(0, 0, 0);
+        out << scene.tracePathMIS(ray, sampler);
+        break;
+      }
       default: {
         const Colour throughput = in.vector();
         const int depth = in.integer();
@@ -315,6 +368,10 @@ bool dispatch(const CallBatch& batch, const SceneCore* scene, Output out) {
       return batch.function == F::kSphereSample || batch.function == F::kSpherePdf
                  ? callSphere(batch, out)
                  : callPolygon(batch, out);
+    case 8:
+      return callWeights(batch, out), true;
+    case 9:
+      return callPolygon(batch, out);
     default:
       return callMaterial(batch, out);
   }

@@ -1,5 +1,8 @@
 #include "worker/contract.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace pathmark {
 
 namespace {
@@ -34,6 +37,17 @@ constexpr std::array kFunctions{
     FunctionContract{F::kPhongReflection, 4, "4.3", "phongBRDF::reflection", 9, 4, false},
     FunctionContract{F::kTracePath, 5, "5.1", "LitScene::tracePath", 8, 3, true},
     FunctionContract{F::kRussianRoulette, 6, "6.1", "LitScene::RussianRoulette", 5, 2, true},
+    FunctionContract{F::kPowerHeuristic, 8, "8.1", "powerHeuristic", 2, 1, false},
+    FunctionContract{F::kSolidAnglePdf, 8, "8.2", "solidAnglePdf", 10, 1, false},
+    FunctionContract{F::kTracePathMis, 8, "8.3", "LitScene::tracePathMIS", 8, 3, true},
+    FunctionContract{F::kSphericalTriangleSampling, 9, "9.1", "Polygon::SphericalTriangleSampling",
+                     5, 7, false},
+    FunctionContract{F::kSphericalTrianglePdf, 9, "9.2", "Polygon::SphericalTrianglePdf", 6, 1,
+                     false},
+    FunctionContract{F::kSphericalRectangleSampling, 9, "9.3",
+                     "Polygon::SphericalRectangleSampling", 5, 7, false},
+    FunctionContract{F::kSphericalRectanglePdf, 9, "9.4", "Polygon::SphericalRectanglePdf", 6, 1,
+                     false},
 };
 
 constexpr bool tableIsInOrder() {
@@ -51,11 +65,20 @@ constexpr std::array kParts{
     PartContract{4, "part4_phong.cpp", "The modified Phong BRDF"},
     PartContract{5, "part5_path.cpp", "The path tracer"},
     PartContract{6, "part6_roulette.cpp", "Russian roulette"},
+    PartContract{8, "part8_mis.cpp", "Multiple importance sampling", true},
+    PartContract{9, "part9_solid_angle.cpp", "Lights by the solid angle that they fill", true},
 };
 
 }  // namespace
 
 std::span<const FunctionContract> contract() { return kFunctions; }
 std::span<const PartContract> parts() { return kParts; }
+
+std::size_t placeOfPart(int number) {
+  const auto part = std::find_if(kParts.begin(), kParts.end(),
+                                 [number](const PartContract& p) { return p.part == number; });
+  if (part == kParts.end()) throw std::out_of_range("no part of functions has this number");
+  return static_cast<std::size_t>(part - kParts.begin());
+}
 
 }  // namespace pathmark

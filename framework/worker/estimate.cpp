@@ -36,10 +36,10 @@ OneRay directLightingCall(std::span<const std::uint32_t> words, const SceneCore&
   };
 }
 
-OneRay tracePathCall(std::span<const std::uint32_t> words, const SceneCore& core) {
+OneRay tracePathCall(std::span<const std::uint32_t> words, const SceneCore& core, bool mis) {
   const Ray ray{vectorAt(words, 0), vectorAt(words, 3)};
-  return [scene = LitScene(core, static_cast<int>(words[6])), ray](Sampler& sampler) {
-    return scene.tracePath(ray, sampler);
+  return [scene = LitScene(core, static_cast<int>(words[6])), ray, mis](Sampler& sampler) {
+    return mis ? scene.tracePathMIS(ray, sampler) : scene.tracePath(ray, sampler);
   };
 }
 
@@ -70,7 +70,8 @@ Estimate meanOf(const OneRay& oneRay, PixelSampler& sampler, std::uint64_t rays)
 std::optional<std::uint32_t> estimateWords(std::uint32_t function) {
   if (function == static_cast<std::uint32_t>(CourseworkFunction::kDirectLighting))
     return kDirectLightingWords;
-  if (function == static_cast<std::uint32_t>(CourseworkFunction::kTracePath))
+  if (function == static_cast<std::uint32_t>(CourseworkFunction::kTracePath) ||
+      function == static_cast<std::uint32_t>(CourseworkFunction::kTracePathMis))
     return kTracePathWords;
   return std::nullopt;
 }
@@ -84,11 +85,13 @@ std::vector<Estimate> estimate(const EstimateRequest& request, std::span<const s
     return {};
   const auto sampler =
       makePixelSampler(request.sampler, request.seed, static_cast<std::uint32_t>(request.rays));
+  const bool mis =
+      request.function == static_cast<std::uint32_t>(CourseworkFunction::kTracePathMis);
   std::vector<Estimate> results;
   for (std::uint32_t c = 0; c < request.calls; ++c) {
     const auto call = words.subspan(std::size_t{c} * *stride, *stride);
-    const OneRay oneRay =
-        *stride == kTracePathWords ? tracePathCall(call, scene) : directLightingCall(call, scene);
+    const OneRay oneRay = *stride == kTracePathWords ? tracePathCall(call, scene, mis)
+                                                     : directLightingCall(call, scene);
     if (!oneRay) return {};
     for (std::uint32_t r = 0; r < request.replicates; ++r) {
       sampler->startPixel(static_cast<int>(c), static_cast<int>(r), 0);

@@ -85,10 +85,10 @@ struct CallRequest {
 };
 
 // Means of an estimator over many rays, in independently randomised replicates. A call has the
-// words of contract.h without the seed; tracePath's has the largest number of bounces after its
-// ray. Replicate r of call c is in place c x replicates + r of the answer.
+// words of contract.h without the seed; those of paths have the largest number of bounces after
+// their ray. Replicate r of call c is in place c x replicates + r of the answer.
 struct EstimateRequest {
-  std::uint32_t function = 0;  // CourseworkFunction: directLighting or tracePath
+  std::uint32_t function = 0;  // CourseworkFunction: directLighting, tracePath, tracePathMIS
   SamplerKind sampler = SamplerKind::kSobol;
   std::uint64_t seed = 0;
   std::uint32_t replicates = 1;

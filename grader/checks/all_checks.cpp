@@ -25,6 +25,10 @@ std::span<const Check> checksOfPart(int part) {
       return part5Checks();
     case 6:
       return part6Checks();
+    case 8:
+      return part8Checks();
+    case 9:
+      return part9Checks();
     default:
       return {};
   }

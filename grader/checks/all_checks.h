@@ -12,6 +12,8 @@ std::span<const Check> part3Checks();
 std::span<const Check> part4Checks();
 std::span<const Check> part5Checks();
 std::span<const Check> part6Checks();
+std::span<const Check> part8Checks();
+std::span<const Check> part9Checks();
 
 std::span<const Check> checksOfPart(int part);
 

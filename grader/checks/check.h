@@ -53,6 +53,7 @@ struct CheckRun {
   WorkerProcess& worker;
   std::uint64_t seed = 0;  // of this check alone
   stats::ErrorBudget& budget;
+  CourseworkFunction function = CourseworkFunction::kTracePath;  // that is checked
 };
 
 struct Check {

@@ -61,7 +61,7 @@ WorkerProcess& CheckBench::worker() {
 
 Finding CheckBench::make(const Check& check, stats::ErrorBudget& budget) {
   try {
-    CheckRun run{worker(), seedOf(check, options_.seed), budget};
+    CheckRun run{worker(), seedOf(check, options_.seed), budget, check.function};
     return check.run(run);
   } catch (const WorkerError& e) {
     forget();

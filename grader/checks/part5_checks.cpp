@@ -249,40 +249,44 @@ Finding unfairRoulette(CheckRun& run) {
 
 }  // namespace
 
-std::span<const Check> part5Checks() {
-  static const std::vector<Check> kChecks{
-      {"emission", F::kTracePath,
+std::vector<Check> path::checksOf(CourseworkFunction pathTracer) {
+  return {
+      {"emission", pathTracer,
        "of a light that is seen directly comes what its front emits, counted once; its back and "
        "the world around are black",
        0.0, emissionIsSeen},
-      {"valid", F::kTracePath,
+      {"valid", pathTracer,
        "the radiance is finite and not negative, also where reflection says \"no sample\"", 0.0,
        radianceIsValid},
-      {"repeatable", F::kTracePath,
+      {"repeatable", pathTracer,
        "the same random numbers give the same radiance, whatever was traced before", 0.0,
        sameNumbersSameRadiance},
-      {"twice-the-emission", F::kTracePath,
+      {"twice-the-emission", pathTracer,
        "with the same random numbers, twice the emission gives twice the radiance, bit for bit",
        0.0, twiceTheEmission},
-      {"furnace", F::kTracePath,
+      {"furnace", pathTracer,
        "inside a sphere the mean radiance is E + integral of f L cos(theta), for each number of "
        "bounces",
        Deltas{}.all, lopsidedFurnace},
-      {"bounces", F::kTracePath,
+      {"bounces", pathTracer,
        "each further bounce adds the light that has been scattered once more", kBounceDelta,
        furtherBounces},
-      {"furnace-with-sphere", F::kTracePath,
+      {"furnace-with-sphere", pathTracer,
        "where all surfaces emit E and reflect a quarter, the mean radiance is E (4 - 4^-B) / 3",
        Deltas{}.all, furnaceWithSphere},
-      {"room", F::kTracePath,
+      {"room", pathTracer,
        "in a room of unequal walls the mean radiance is that of the light which arrives where the "
        "path is",
        kCoarse.all, mattRoom},
-      {"roulette", F::kTracePath,
+      {"roulette", pathTracer,
        "RussianRoulette is asked after each update of the throughput, with the updated throughput "
        "and the number of scattering events so far, and what it says is done",
        kCoarse.all, unfairRoulette},
   };
+}
+
+std::span<const Check> part5Checks() {
+  static const std::vector<Check> kChecks = path::checksOf(F::kTracePath);
   return kChecks;
 }
 

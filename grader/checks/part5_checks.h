@@ -1,5 +1,5 @@
-// What is asked of single paths of 5.1: part5_single_path_checks.cpp. Means over many are in
-// part5_checks.cpp.
+// What is asked of single paths: part5_single_path_checks.cpp. Means over many are in
+// part5_checks.cpp. All of it is asked of both path tracers, 5.1 and 8.3.
 #pragma once
 
 #include "checks/check.h"
@@ -10,5 +10,8 @@ Finding emissionIsSeen(CheckRun& run);
 Finding radianceIsValid(CheckRun& run);
 Finding sameNumbersSameRadiance(CheckRun& run);
 Finding twiceTheEmission(CheckRun& run);
+
+// Of tracePath or tracePathMIS.
+std::vector<Check> checksOf(CourseworkFunction pathTracer);
 
 }  // namespace pathmark::checks::path

@@ -28,7 +28,7 @@ struct Traced {
 // One path along each ray.
 std::vector<Traced> traceOnce(CheckRun& run, const std::vector<PathRay>& rays,
                               std::uint32_t seed = 0) {
-  CheckRun own{run.worker, run.seed + seed, run.budget};
+  CheckRun own{run.worker, run.seed + seed, run.budget, run.function};
   PathEstimates estimates(own, rays, 1);
   std::vector<double> values(3 * rays.size());
   estimates.measure(0, 1, values);
@@ -140,9 +140,9 @@ Finding sameNumbersSameRadiance(CheckRun& run) {
         },
         [&] {
           return fmt::format(
-              "{}, twice, with other paths in between: tracePath may draw its numbers from the "
-              "sampler only, and must keep nothing from one call to the next",
-              inWords(rays[k].ray));
+              "{}, twice, with other paths in between: {} may draw its numbers from the sampler "
+              "only, and must keep nothing from one call to the next",
+              inWords(rays[k].ray), contractOf(run.function).name);
         });
   (void)other;
   return exact.finding();

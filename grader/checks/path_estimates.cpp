@@ -22,7 +22,7 @@ void PathEstimates::measure(std::uint32_t first, std::uint32_t count, std::span<
   for (std::uint32_t done = 0; done < count; done += kReplicatesAtOnce) {
     const std::uint32_t replicates = std::min(kReplicatesAtOnce, count - done);
     EstimateRequest request;
-    request.function = static_cast<std::uint32_t>(CourseworkFunction::kTracePath);
+    request.function = static_cast<std::uint32_t>(run_.function);
     request.seed = mix(run_.seed + kGolden * (first + done + 1));
     request.replicates = replicates;
     request.calls = static_cast<std::uint32_t>(rays_.size());

@@ -1,4 +1,5 @@
-// PathEstimates: the radiance that tracePath sees along rays of the judge's choice, for judgeMeans.
+// PathEstimates: the radiance that the path tracer which is checked sees along rays of the judge's
+// choice, for judgeMeans.
 #pragma once
 
 #include "checks/means.h"

@@ -31,6 +31,9 @@ struct PartResult {
   std::vector<FunctionResult> functions;
 };
 
+// A bonus part of which nothing is written: it is not asked for, and is not missed.
+bool isBonusNotBegun(const PartResult& part);
+
 struct CourseworkResults {
   std::uint64_t seed = 0;
   std::vector<PartResult> parts;     // those that were asked for

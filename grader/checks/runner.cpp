@@ -137,7 +137,7 @@ void diagnose(PartResult& part, CheckBench& bench) {
 std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
                                     const Selection& selection, const RunOptions& options,
                                     stats::ErrorBudget& budget, RunProgress& progress) {
-  const PartBuild& compiled = build.parts.at(static_cast<std::size_t>(number));
+  const PartBuild& compiled = build.parts.at(placeOfPart(number));
   PartResult part{compiled.part, {}, {}, {}};
   if (!progress.goesOn()) return std::nullopt;
   if (!compiled.compiled) {
@@ -165,7 +165,7 @@ std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
 // A picture shows all parts at once: it says something only where each of them is right.
 std::string blockingPart(const CourseworkResults& results) {
   for (const PartResult& part : results.parts) {
-    if (part.part.part == 0) continue;
+    if (part.part.part == 0 || part.part.bonus) continue;
     if (!part.failure.empty()) return fmt::format("part {}", part.part.part);
     for (const FunctionResult& f : part.functions)
       if (f.status != Status::kPass && f.status != Status::kUndecided)
@@ -177,11 +177,12 @@ std::string blockingPart(const CourseworkResults& results) {
 // The first function, or part, without which there is no picture.
 std::string missing(const CourseworkBuild& build, CheckBench* bench) {
   for (const PartBuild& part : build.parts)
-    if (!part.compiled) return fmt::format("part {}, which does not compile", part.part.part);
+    if (!part.compiled && !part.part.bonus)
+      return fmt::format("part {}, which does not compile", part.part.part);
   if (bench == nullptr) return {};
   const StubReport stubs = makeStubReport(bench->worker().stubs());
   for (const FunctionContract& f : stubs.unwritten)
-    if (f.part != 0) return fmt::format("part {}: {} {}", f.part, f.section, f.name);
+    if (f.part != 0 && !isBonus(f)) return fmt::format("part {}: {} {}", f.part, f.section, f.name);
   return {};
 }
 
@@ -259,7 +260,7 @@ void checkOwnScenes(CourseworkResults& results, Whole& whole, const CourseworkBu
 // Places of the parts in the order in which they are begun: with several threads those whose checks
 // take longest come first, so that no processor is left with one of them at the end.
 std::vector<std::size_t> orderOf(const std::vector<int>& parts, unsigned threads) {
-  constexpr std::array kOrder{5, 2, 0, 4, 3, 1, 6};
+  constexpr std::array kOrder{5, 2, 8, 9, 0, 4, 3, 1, 6};
   std::vector<std::size_t> places;
   if (threads == 1) {
     places.resize(parts.size());
@@ -337,6 +338,12 @@ bool Selection::selects(const Check& check) const {
 bool Selection::selects(CourseworkFunction function) const {
   return functions.empty() ||
          std::find(functions.begin(), functions.end(), function) != functions.end();
+}
+
+bool isBonusNotBegun(const PartResult& part) {
+  return part.part.bonus && part.failure.empty() &&
+         std::all_of(part.functions.begin(), part.functions.end(),
+                     [](const FunctionResult& f) { return f.status == Status::kNotWritten; });
 }
 
 int severity(Status status) {

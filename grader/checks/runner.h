@@ -17,7 +17,7 @@
 namespace pathmark::checks {
 
 struct Selection {
-  std::vector<int> parts{0, 1, 2, 3, 4, 5, 6};  // one thread checks them in this order
+  std::vector<int> parts{0, 1, 2, 3, 4, 5, 6, 8, 9};  // one thread checks them in this order
   bool images = true;
   bool scenes = true;  // of part 7
   std::string only;    // an id or a section, such as "3.3/samples" or "3.3"; empty: all

@@ -28,13 +28,13 @@ CheckSession::CheckSession(checks::Selection selection, checks::RunOptions optio
 std::vector<int> CheckSession::changedParts(const CourseworkBuild& build) const {
   std::vector<int> changed;
   for (const int part : selection_.parts) {
-    const auto number = static_cast<std::size_t>(part);
-    if (identity(build.parts[number]) != madeOf_[number] || !hasPart(results_, part))
+    const std::size_t place = placeOfPart(part);
+    if (identity(build.parts[place]) != madeOf_[place] || !hasPart(results_, part))
       changed.push_back(part);
   }
   std::stable_partition(changed.begin(), changed.end(), [&](int part) {
-    const auto number = static_cast<std::size_t>(part);
-    return identity(build.parts[number]) != lastRun_[number];
+    const std::size_t place = placeOfPart(part);
+    return identity(build.parts[place]) != lastRun_[place];
   });
   return changed;
 }
@@ -43,14 +43,14 @@ const checks::CourseworkResults& CheckSession::run(const CourseworkBuild& build,
                                                    const checks::RunEvents& events) {
   checks::Selection changed = selection_;
   changed.parts = changedParts(build);
-  for (std::size_t part = 0; part < lastRun_.size(); ++part)
-    lastRun_[part] = identity(build.parts[part]);
+  for (std::size_t place = 0; place < lastRun_.size(); ++place)
+    lastRun_[place] = identity(build.parts[place]);
   checks::RunOptions options = options_;
   options.known = &results_;
   results_ = checks::runChecks(build, changed, options, events);
   for (const int part : changed.parts) {
-    const auto number = static_cast<std::size_t>(part);
-    madeOf_[number] = identity(build.parts[number]);
+    const std::size_t place = placeOfPart(part);
+    madeOf_[place] = identity(build.parts[place]);
   }
   return results_;
 }

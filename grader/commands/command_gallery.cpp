@@ -89,7 +89,7 @@ void addGalleryCommand(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand(
       "gallery", "Render what each known mistake does to a picture, as a chapter of the handouts");
   command->add_option("--part", arguments->parts, "Mistakes of these parts only; all by default")
-      ->check(CLI::Range(0, 6))
+      ->check(CLI::Range(0, 9))
       ->type_name("PART");
   takesWholeNumber(command->add_option("--threads", arguments->threads,
                                        "Mistakes at the same time; one for each processor by "

@@ -33,7 +33,7 @@ checks::Selection ofFunction(const FunctionContract& f) {
   for (const std::string& id : allIds()) names.push_back(id);
   const std::vector<std::string_view> views(names.begin(), names.end());
   throw UsageError(fmt::format(
-      "There is nothing to check that is called {}: it is a part (0 to 7), a function (such as 3.3 "
+      "There is nothing to check that is called {}: it is a part (0 to 9), a function (such as 3.3 "
       "or lambertianBRDF::reflection), a check (such as 3.3/samples), or images.{}",
       what, didYouMean(what, views)));
 }

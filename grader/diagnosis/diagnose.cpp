@@ -125,7 +125,7 @@ Diagnosis diagnose(const Signature& seen, const FunctionCatalogue& known) {
   const Match found = match(seen, known);
   if (found.mistakes.empty()) return {};
   const FunctionContract& function = contractOf(known.function);
-  const PartContract& part = parts()[static_cast<std::size_t>(function.part)];
+  const PartContract& part = partNumbered(function.part);
   return {found.mistakes.front()->mistake, sentences(found.mistakes),
           evidenceFor(seen, *found.mistakes.front(), known.right),
           fmt::format("{}, {} {}", handoutOf(part), function.section, function.name)};

@@ -23,9 +23,17 @@ std::vector<const char*> namesOf(int part) {
       return {"cornell_phong", "veach_plates", "ucl_sphere"};
     case 5:
       return {"cornell_box", "cornell_phong", "furnace", "ucl_rectangle"};
+    case 8:
+      return {"veach_plates", "cornell_phong", "ucl_rectangle"};
+    case 9:
+      return {"ucl_triangle", "ucl_rectangle", "cornell_box"};
     default:
       return {"cornell_box", "furnace", "ucl_rectangle"};
   }
+}
+
+Estimator estimatorOf(int part) {
+  return part == 0 ? Estimator::kWarmUp : part == 8 ? Estimator::kMis : Estimator::kPath;
 }
 
 }  // namespace
@@ -38,8 +46,8 @@ std::vector<marking::MarkingScene> scenesOf(int part) {
     const LoadedScene loaded =
         loadScene(file, {.size = thumbnailSize(static_cast<int>(camera.width),
                                                static_cast<int>(camera.height), kPixels)});
-    scenes.push_back({loaded.name, loaded.flat, part == 0 ? Estimator::kWarmUp : Estimator::kPath,
-                      loaded.exposure});
+    scenes.push_back({loaded.name, loaded.flat, estimatorOf(part), loaded.exposure});
+    if (part == 9) scenes.back().flat.lightSampling = LightSampling::kBySolidAngle;
   }
   return scenes;
 }

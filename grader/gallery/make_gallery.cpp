@@ -142,7 +142,7 @@ class Maker {
     const std::filesystem::path folder = options_.scratch / variant.name;
     applyVariant(variant, folder);
     const CourseworkBuild build = buildCoursework(folder, Incomplete::kCompileOnly);
-    const PartBuild& part = build.parts[static_cast<std::size_t>(variant.part)];
+    const PartBuild& part = build.parts[placeOfPart(variant.part)];
     if (!part.compiled)
       throw std::runtime_error(fmt::format("{} does not compile: {}", variant.name, part.messages));
     const LinkedWorker linked = linkWithOthers(build, std::array{variant.part}, solutions_);

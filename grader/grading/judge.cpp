@@ -232,7 +232,7 @@ class Judge::Session {
 
   void showWhole() {
     static constexpr std::array kAll{0, 1, 2, 3, 4, 5, 6};
-    const LinkedWorker linked = linkWithOthers(build_, kAll, build_);
+    const LinkedWorker linked = linkWithOthers(build_, kAll, judge_.solutions_);
     compare(linked, judge_.wholeScenes_, "whole", true, judged_.record.pictures);
     for (record::SceneRecord& scene : judged_.record.scenes) showScene(scene);
   }

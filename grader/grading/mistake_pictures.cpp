@@ -37,7 +37,7 @@ std::optional<Image> MistakePictures::make(const std::string& mistake,
   const ScratchFolder folder(nullptr);
   applyVariant(*variant, folder.path());
   const CourseworkBuild build = buildCoursework(folder.path(), Incomplete::kCompileOnly);
-  if (!build.parts[static_cast<std::size_t>(variant->part)].compiled) return {};
+  if (!build.parts[placeOfPart(variant->part)].compiled) return {};
   WorkerProcess::Options options;
   options.courseworkFolder = folder.path();
   options.program = linkWithOthers(build, std::array{variant->part}, solutions_).worker;

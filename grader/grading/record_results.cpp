@@ -119,7 +119,7 @@ std::vector<record::PartRecord> recordParts(const checks::CourseworkResults& res
                                             const std::vector<int>& selected) {
   std::vector<record::PartRecord> parts;
   for (const int number : selected) {
-    const PartBuild& built = build.parts.at(static_cast<std::size_t>(number));
+    const PartBuild& built = build.parts.at(placeOfPart(number));
     record::PartRecord part;
     part.part = number;
     part.file = built.part.file;
@@ -128,6 +128,7 @@ std::vector<record::PartRecord> recordParts(const checks::CourseworkResults& res
         std::find_if(results.parts.begin(), results.parts.end(),
                      [&](const checks::PartResult& r) { return r.part.part == number; });
     const checks::PartResult* result = found == results.parts.end() ? nullptr : &*found;
+    if (built.part.bonus && (result == nullptr || isBonusNotBegun(*result))) continue;
     if (result == nullptr || !result->failure.empty()) {
       tellFailure(part, built, result);
     } else {

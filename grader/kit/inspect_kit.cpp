@@ -97,7 +97,7 @@ std::string withoutSpaces(std::string_view text) {
 // have tried the coursework in student/.
 void inspectStubs(const KitPlan& plan, const fs::path& folder, std::vector<std::string>& findings) {
   for (const FunctionContract& function : contract()) {
-    const std::string file(parts()[static_cast<std::size_t>(function.part)].file);
+    const std::string file(partNumbered(function.part).file);
     const std::string stub =
         fmt::format("PATHMARK_UNIMPLEMENTED(\"{}\",\"{}\")", file, function.name);
     const std::string name = "student/" + file;

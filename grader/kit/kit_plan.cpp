@@ -23,7 +23,7 @@ std::vector<std::string> filesOfPart(int part, const std::vector<std::string>& a
   std::vector<std::string> names;
   for (const PartContract& p : parts())
     if (p.part == part) names.emplace_back(p.file);
-  if (part == kLastPart)
+  if (part == kScenesPart)
     for (const std::string& file : all)
       if (matches("solutions/scenes/*.json", file)) names.push_back(file.substr(10));
   return names;

@@ -10,7 +10,7 @@
 namespace pathmark::kit {
 
 // Part 7 is scenes.
-inline constexpr int kLastPart = 7;
+inline constexpr int kScenesPart = 7, kLastPart = 9;
 inline constexpr int kNothingReleased = -1;
 
 struct KitFile {

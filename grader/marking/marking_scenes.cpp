@@ -63,6 +63,16 @@ std::vector<MarkingScene> scenesOfPart(int part, std::uint64_t seed) {
     }
     case 4:
       return {sceneLike("cornell_phong", seed)};
+    case 8:
+      return {sceneLike("veach_plates", seed, Estimator::kMis),
+              sceneLike("cornell_phong", seed, Estimator::kMis)};
+    case 9: {
+      std::vector<MarkingScene> scenes{sceneLike("ucl_rectangle", seed),
+                                       sceneLike("ucl_triangle", seed)};
+      for (MarkingScene& scene : scenes)
+        scene.flat.lightSampling = LightSampling::kBySolidAngle;
+      return scenes;
+    }
     default:
       return {sceneLike("cornell_box", seed)};
   }

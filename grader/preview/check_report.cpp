@@ -90,7 +90,7 @@ CheckReport reportOf(const checks::CourseworkResults& results, std::uint64_t bui
   }
   report.failures.resize(parts().size());
   for (const checks::PartResult& part : results.parts)
-    report.failures.at(static_cast<std::size_t>(part.part.part)) = part.failure;
+    report.failures.at(placeOfPart(part.part.part)) = part.failure;
   return report;
 }
 

@@ -22,7 +22,7 @@
 
 namespace pathmark::report {
 
-inline constexpr int kScenesPart = 7, kWhole = 8;
+inline constexpr int kScenesPart = 7, kWhole = 10;
 
 // The worst of the whole, the best of the scenes: one good scene is enough. Nothing if the record
 // does not say.

@@ -66,9 +66,7 @@ std::string details(const CheckResult& result, std::uint64_t seed, const Style& 
   return text;
 }
 
-std::string partOf(const FunctionContract& f) {
-  return handoutOf(parts()[static_cast<std::size_t>(f.part)]);
-}
+std::string partOf(const FunctionContract& f) { return handoutOf(partNumbered(f.part)); }
 
 // Of the checks of a function the worst tells enough: the others usually follow from it.
 const CheckResult* worstOf(const FunctionResult& f) {
@@ -99,6 +97,7 @@ struct Counts {
 Counts count(const CourseworkResults& results) {
   Counts counts;
   for (const PartResult& part : results.parts) {
+    if (isBonusNotBegun(part)) continue;
     if (!part.failure.empty()) {
       for (const FunctionContract& f : contract()) counts.all += f.part == part.part.part ? 1 : 0;
       continue;
@@ -148,9 +147,11 @@ std::string wrapped(std::string_view words, std::size_t indent) {
 // What is wrong comes before what is not there yet.
 const FunctionResult* nextFunction(const CourseworkResults& results) {
   const auto first = [&](auto matches) -> const FunctionResult* {
-    for (const PartResult& part : results.parts)
+    for (const PartResult& part : results.parts) {
+      if (isBonusNotBegun(part) && results.parts.size() > 1) continue;
       for (const FunctionResult& f : part.functions)
         if (matches(f.status)) return &f;
+    }
     return nullptr;
   };
   const FunctionResult* wrong =
@@ -225,7 +226,12 @@ std::string functionLines(const CourseworkResults& results, const Style& style) 
   std::string text;
   for (const PartResult& part : results.parts) {
     if (part.functions.empty() && part.failure.empty()) continue;
-    text += fmt::format("\nPart {}  {}\n", part.part.part, part.part.title);
+    text += fmt::format("\nPart {}  {}", part.part.part, part.part.title);
+    if (isBonusNotBegun(part)) {
+      text += ": bonus, not written yet\n";
+      continue;
+    }
+    text += part.part.bonus ? " (bonus)\n" : "\n";
     if (!part.failure.empty())
       text += fmt::format("  {} {} {}\n", statusColumn(Status::kBroken, style), part.part.file,
                           part.failure.substr(0, part.failure.find_last_not_of('\n') + 1));

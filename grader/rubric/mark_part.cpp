@@ -149,7 +149,11 @@ void reviewEfficiency(const record::PartRecord& part, const Rubric& rubric,
 
 // Whether all parts were looked at, so that what is not there was not handed in.
 bool isComplete(const record::SubmissionRecord& record) {
-  return !record.internalError() && record.parts.size() >= parts().size();
+  if (record.internalError()) return false;
+  return std::all_of(parts().begin(), parts().end(), [&](const PartContract& part) {
+    return part.bonus || std::any_of(record.parts.begin(), record.parts.end(),
+                                     [&](const auto& seen) { return seen.part == part.part; });
+  });
 }
 
 }  // namespace

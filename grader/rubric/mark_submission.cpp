@@ -24,7 +24,8 @@ const record::PartRecord* find(const SubmissionRecord& record, int part) {
 std::string titleOf(int part) {
   if (part == kWholePart) return "The whole as submitted";
   if (part == kScenesPart) return "Part 7: Your own scenes";
-  return fmt::format("Part {}: {}", part, parts()[static_cast<std::size_t>(part)].title);
+  const PartContract& named = partNumbered(part);
+  return fmt::format("Part {}{}: {}", part, named.bonus ? ", bonus" : "", named.title);
 }
 
 // Rounded, with a line that makes the lines add up. Whoever has all points keeps all of them,
@@ -66,7 +67,7 @@ Marks markSubmission(const SubmissionRecord& record, const Rubric& rubric) {
     PartMarks part{worth.part, titleOf(worth.part), 0.0, 0.0, std::move(lines)};
     addUp(part, worth.points, rubric.step);
     marks.points += part.points;
-    marks.outOf += part.outOf;
+    if (!worth.bonus) marks.outOf += part.outOf;
     marks.parts.push_back(std::move(part));
   }
   return marks;

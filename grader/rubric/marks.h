@@ -17,7 +17,7 @@ struct MarkLine {
 };
 
 struct PartMarks {
-  int part = 0;       // 0 to 7; 8 stands for the whole as submitted
+  int part = 0;       // 0 to 9; 10 stands for the whole as submitted
   std::string title;  // "Part 3: The Lambertian BRDF"
   double points = 0.0, outOf = 0.0;
   std::vector<MarkLine> lines;

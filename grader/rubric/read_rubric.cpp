@@ -99,7 +99,8 @@ PartRubric readPart(int number, const json& value, const Place& place) {
   object.required("points", [&](const json& v, const Place& p) {
     part.points = readBetween(v, p, 0.0, kMostPoints);
   });
-  if (number < kScenesPart) {
+  part.bonus = number > kScenesPart && number < kWholePart;
+  if (number < kScenesPart || part.bonus) {
     readFunctions(value, place, part);
   } else {
     object.allowOnly({"points"});
@@ -107,17 +108,23 @@ PartRubric readPart(int number, const json& value, const Place& place) {
   return part;
 }
 
+// Without bonus parts, whose points come on top.
+double sumOf(const std::vector<PartRubric>& parts) {
+  double sum = 0.0;
+  for (const PartRubric& part : parts)
+    if (!part.bonus) sum += part.points;
+  return sum;
+}
+
 std::vector<PartRubric> readParts(const json& value, const Place& place) {
   const Object object(value, place, "the list of parts");
-  object.allowOnly({"0", "1", "2", "3", "4", "5", "6", "7", "whole"});
+  object.allowOnly({"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "whole"});
   std::vector<PartRubric> parts;
   for (int number = 0; number <= kWholePart; ++number)
     object.optional(
         number == kWholePart ? "whole" : std::to_string(number),
         [&](const json& v, const Place& p) { parts.push_back(readPart(number, v, p)); });
-  double sum = 0.0;
-  for (const PartRubric& part : parts) sum += part.points;
-  if (sum == 0.0) place.refuse("no part has any points, but one of them must.");
+  if (sumOf(parts) == 0.0) place.refuse("no part has any points, but one of them must.");
   return parts;
 }
 
@@ -200,8 +207,7 @@ void readEfficiency(const json& value, const Place& place, Rubric& rubric) {
 }
 
 void scaleTo(double total, std::vector<PartRubric>& parts) {
-  double sum = 0.0;
-  for (const PartRubric& part : parts) sum += part.points;
+  const double sum = sumOf(parts);
   if (sum == total) return;
   for (PartRubric& part : parts) {
     part.points = part.points * total / sum;

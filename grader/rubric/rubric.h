@@ -28,7 +28,7 @@ class RubricError : public std::runtime_error {
 };
 
 // Parts are numbered as in Marks.
-inline constexpr int kScenesPart = 7, kWholePart = 8;
+inline constexpr int kScenesPart = 7, kWholePart = 10;
 
 struct PartRubric {
   int part = 0;
@@ -40,6 +40,8 @@ struct PartRubric {
 
   // By id, "2.6/repeatable": what is lost if nothing but such checks of a function fails.
   std::map<std::string, double> checks;
+
+  bool bonus = false;  // its points come on top of those that can be had
 };
 
 // The credit, a share of the points, while the bias of the worst picture is at most that.

@@ -70,7 +70,7 @@ std::optional<CaseBuild> buildCase(const MistakenCase& c, const CourseworkBuild&
     }
   }
   CaseBuild made{others, functionsThatMayDifferIn(c.part(), others.folder, folder)};
-  const auto part = static_cast<std::size_t>(c.part());
+  const std::size_t part = placeOfPart(c.part());
   made.build.parts[part] = buildCoursework(folder, Incomplete::kCompileOnly).parts[part];
   fs::remove_all(folder);
   if (!made.build.parts[part].compiled) return std::nullopt;

@@ -196,7 +196,7 @@ StudySubject variantSubject(const Variant& variant, bool images, const fs::path&
   const fs::path folder = scratch / variant.name;
   applyVariant(variant, folder);
   // Only the part that is changed comes from there; the others keep their objects.
-  const auto part = static_cast<std::size_t>(variant.part);
+  const std::size_t part = placeOfPart(variant.part);
   subject.build.parts[part] = buildCoursework(folder, Incomplete::kCompileOnly).parts[part];
   subject.name = variant.name;
   subject.variant = variant;

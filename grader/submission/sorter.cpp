@@ -226,16 +226,21 @@ void Sorter::decide(const std::string& target, const std::vector<const Candidate
 
 void Sorter::sayWhatIsMissing(const std::set<std::string>& seen, Collected& collected) {
   std::vector<std::string_view> missing;
-  for (const PartContract& part : parts())
+  std::size_t asked = 0;
+  for (const PartContract& part : parts()) {
+    if (part.bonus) continue;
+    ++asked;
     if (!seen.contains(std::string(part.file))) missing.push_back(part.file);
-  if (!missing.empty() && missing.size() < parts().size())
+  }
+  if (!missing.empty() && missing.size() < asked)
     note(fmt::format("{} {} missing.", fmt::join(missing, ", "),
                      missing.size() == 1 ? "is" : "are"));
   const bool anyPart = std::any_of(collected.files.begin(), collected.files.end(),
                                    [](const auto& file) { return !partName(file.first).empty(); });
   if (anyPart) return;
   std::vector<std::string_view> all;
-  for (const PartContract& part : parts()) all.push_back(part.file);
+  for (const PartContract& part : parts())
+    if (!part.bonus) all.push_back(part.file);
   collected.failure = fmt::format("Nothing was taken: none of the files {} {} in it.",
                                   fmt::join(all, ", "), seen.empty() ? "is" : "could be read");
 }

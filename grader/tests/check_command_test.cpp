@@ -132,7 +132,7 @@ TEST(CheckCommand, RefusesWhatIsNoCheckWithASuggestion) {
   expectSays(check({"lambertianBRDF::reflexion"}), 2,
              "Did you mean \"lambertianBRDF::reflection\"?");
   expectSays(check({"reflection"}), 2, "lambertianBRDF::reflection, phongBRDF::reflection");
-  expectSays(check({"9"}), 2, "it is a part (0 to 7)");
+  expectSays(check({"12"}), 2, "it is a part (0 to 9)");
   expectSays(check({"--seed", "-1"}), 2, "--seed");
   expectSays(check({"--with", "nowhere"}), 2, "there is no folder");
   expectSays(check({"--hint", "4"}), 2, "--hint");

@@ -66,7 +66,7 @@ TEST(PreviewChecker, SaysOfTheSolutionsThatAllIsRightAndChecksOnlyWhatHasChanged
   const std::vector<Report> first = checkAll(*checker, copy.path(), 1);
   const CheckReport& right = *first.back();
   EXPECT_TRUE(right.finished);
-  EXPECT_EQ(count(right, Outcome::kPass), 23) << right.next;
+  EXPECT_EQ(count(right, Outcome::kPass), 30) << right.next;
   EXPECT_NE(right.headline.find("23 of 23 functions are right (seed 1, "), std::string::npos)
       << right.headline;
   EXPECT_TRUE(right.next.empty()) << right.next;
@@ -183,7 +183,7 @@ TEST_F(PreviewCheckerOfOnePart, ChecksFirstWhatWasSavedLast) {
 TEST(PreviewChecker, SaysOfTheStubsThatTheyAreNotWrittenAndWhereToBegin) {
   const auto checker = makeChecker({});
   const Report report = checkAll(*checker, kRoot / "student", 1).back();
-  EXPECT_EQ(count(*report, Outcome::kNotWritten), 23);
+  EXPECT_EQ(count(*report, Outcome::kNotWritten), 30);
   EXPECT_EQ(report->nextFunction, F::kRayTriangleIntersection);
   EXPECT_TRUE(report->next.starts_with("write 0.1 ray_triangle_intersection in ")) << report->next;
   EXPECT_FALSE(checker->hints(F::kRayTriangleIntersection).empty());

@@ -57,7 +57,7 @@ void addThoseThatMention(const std::vector<Definition>& definitions, std::set<st
 }
 
 std::string partIn(const std::filesystem::path& folder, int part) {
-  std::ifstream in(folder / parts()[static_cast<std::size_t>(part)].file, std::ios::binary);
+  std::ifstream in(folder / partNumbered(part).file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

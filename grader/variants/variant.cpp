@@ -94,10 +94,14 @@ Variant readVariant(const fs::path& patch) {
   variant.what = variant.wrong ? mistake : different;
 
   const std::string part = take(head, "Part");
-  if (part.size() != 1 || part[0] < '0' || std::size_t(part[0] - '0') >= parts().size())
-    refuse(patch, fmt::format("the head must say \"Part: \" and a number from 0 to {}, not \"{}\".",
-                              parts().size() - 1, part));
-  variant.part = part[0] - '0';
+  const auto named = std::find_if(parts().begin(), parts().end(), [&](const PartContract& p) {
+    return part == std::to_string(p.part);
+  });
+  if (named == parts().end())
+    refuse(patch,
+           fmt::format("the head must say \"Part: \" and a number from 0 to 6, 8 or 9, not \"{}\".",
+                       part));
+  variant.part = named->part;
 
   variant.function = take(head, "Function");
   if (variant.wrong == variant.function.empty())

@@ -5,9 +5,9 @@
 //   frame.h          an orthonormal frame around a normal
 //   warmup.h         part 0: path tracing in a triangle mesh
 //   camera.h         part 1: SimpleCamera
-//   shapes.h         part 2: Polygon, Sphere
+//   shapes.h         parts 2 and 9: Polygon, Sphere
 //   brdf.h           parts 3 and 4: lambertianBRDF, phongBRDF
-//   lit_scene.h      parts 1, 2, 5 and 6: LitScene, Hit, Light
+//   lit_scene.h      parts 1, 2, 5, 6 and 8: LitScene, Hit, Light
 //   unimplemented.h  the marker of an unwritten function
 #pragma once
 

@@ -5,8 +5,10 @@
 //   directLighting                           light that comes from the lights  (part 2)
 //   tracePath                                light that comes along a path     (part 5)
 //   RussianRoulette                          when to end a path                (part 6)
+//   tracePathMIS                             both ways to find the lights      (part 8, bonus)
 //
 //   Hit     where a ray meets a surface      Light   a shape that emits
+//   powerHeuristic, solidAnglePdf            weights of samples, densities     (part 8, bonus)
 #pragma once
 
 #include <pathmark/brdf.h>
@@ -19,6 +21,7 @@
 
 namespace pathmark {
 
+class Light;
 class SceneCore;
 
 // A point of a surface.
@@ -28,6 +31,9 @@ struct Hit {
   const BRDF* brdf = nullptr;  // never null after LitScene::intersect has returned true
   Colour emission{0.0f};       // radiance that the front emits, the same in all directions
   float error = 0.0f;          // bound on the rounding error of p, a length
+
+  // What the surface emits with, if it is part of a light; null if it emits nothing.
+  const Light* light = nullptr;
 
   // Radiance emitted towards wo: `emission` from the front, 0 from the back.
   Colour emitted(const Vector& wo) const { return dot(wo, n) > 0.0f ? emission : Colour(0.0f); }
@@ -48,6 +54,10 @@ class Light {
   // density 0 says that the light sends nothing to `from` by this sample.
   LightSample sample(const Point& from, float s, float t) const;
 
+  // The density per unit area with which `sample(from, ...)` returns the point at.p, where a ray
+  // has met this light (at.light is it): 0 where it never does. For bonus part 8.
+  float pdf(const Point& from, const Hit& at) const;
+
   // Roughly the irradiance that the light causes at the point x of a surface with normal n, if
   // nothing lies between: its emission, as a mean over the channels, times area and cosines over
   // the squared distance, seen as from its centre. It is 0 only where the light causes none, so
@@ -59,7 +69,11 @@ class Light {
     float cumulativeArea;  // share of the light's area in this face and those before it, (0,1]
     LightSample (Polygon::*sample)(float s, float t) const;  // of part 2, by the face's shape
 
-    Face(const Polygon& face, float cumulative);
+    // Of part 9, in place of `sample` where they are not null.
+    LightSample (Polygon::*sampleFrom)(const Point& from, float s, float t) const = nullptr;
+    float (Polygon::*pdfFrom)(const Point& from, const Point& p) const = nullptr;
+
+    Face(const Polygon& face, float cumulative, bool bySolidAngle);
   };
 
   Light(std::span<const Face> faces, const Colour& emission);
@@ -112,9 +126,25 @@ class LitScene {
   // weight is 1/q. u in [0,1).
   Roulette RussianRoulette(const Colour& throughput, int depth, float u) const;
 
+  // Part 8, bonus. What tracePath returns in the mean, by multiple importance sampling: the
+  // direct light of each vertex is looked for both in points of the lights and along the direction
+  // that the path takes next, and what is found is weighted by powerHeuristic.
+  Colour tracePathMIS(const Ray& ray, Sampler& sampler) const;
+
  private:
   const SceneCore* core_;
   int maxBounces_;
 };
+
+// Part 8, bonus. The weight a^2 / (a^2 + b^2) of a sample, in [0,1]: a is the density with which it
+// was drawn, b that with which the other technique would have drawn it, both of the same measure,
+// in [0, inf]. 0 for a = 0; where both are infinite, 1/2. Veach 1997, section 9.2.2, exponent 2.
+float powerHeuristic(float a, float b);
+
+// Part 8, bonus. The density of y per unit solid angle, as seen from the point `from`: y.pdf, which
+// is per unit area, times r^2 / cos(theta_y), theta_y the angle at y between y.n and the direction
+// to `from`. 0 where y.pdf is 0, where `from` does not see the front (cos(theta_y) <= 0), and where
+// it is y itself. Veach 1997, section 8.2.2.2.
+float solidAnglePdf(const Point& from, const LightSample& y);
 
 }  // namespace pathmark

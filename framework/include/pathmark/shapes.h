@@ -1,6 +1,8 @@
 // Shapes that can be lights.
 //
 //   Polygon   TriangularSampling, RectangularSampling, PolygonSampling   (part 2)
+//             SphericalTriangleSampling, SphericalTrianglePdf            (part 9, bonus)
+//             SphericalRectangleSampling, SphericalRectanglePdf          (part 9, bonus)
 //   Sphere    sample, pdf                                                (part 2)
 //
 // All densities are per unit area. A polygon's front is the side from which its vertices run
@@ -47,6 +49,22 @@ class Polygon {
 
   // Part 2. A point uniform by area on the whole polygon, and its density 1 / area.
   LightSample PolygonSampling(float s, float t) const;
+
+  // Part 9, bonus. A point of the triangle p0 p1 p2, uniform over the solid angle omega that the
+  // triangle fills as seen from `from`; density per unit area, cos(theta') / (omega |p - from|^2),
+  // theta' the angle at p between the normal and the direction to `from`. Where omega is below
+  // 1e-3 sr any density will do that is above 0 on the whole triangle. The density is 0 where `from`
+  // lies behind the triangle or in its plane. Arvo 1995; Peters 2021.
+  LightSample SphericalTriangleSampling(const Point& from, float s, float t) const;
+
+  // Part 9, bonus. The density per unit area with which SphericalTriangleSampling(from, ...)
+  // returns the point p of the triangle.
+  float SphericalTrianglePdf(const Point& from, const Point& p) const;
+
+  // Part 9, bonus. The same for the rectangle with the edges v1 = p1 - p0 and v2 = p3 - p0, at
+  // right angles. Urena, Fajardo & King 2013.
+  LightSample SphericalRectangleSampling(const Point& from, float s, float t) const;
+  float SphericalRectanglePdf(const Point& from, const Point& p) const;
 
  private:
   std::span<const Point> vertices_;

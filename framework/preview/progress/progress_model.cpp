@@ -15,14 +15,14 @@ bool isWrong(Outcome outcome) { return outcome == Outcome::kFail || outcome == O
 
 std::string failureOf(const PartContract& part, const CourseworkState& coursework,
                       const CheckReport* report) {
-  const auto number = static_cast<std::size_t>(part.part);
-  if (coursework.build && number < coursework.build->parts.size()) {
-    const PartBuild& compiled = coursework.build->parts[number];
+  const std::size_t place = placeOfPart(part.part);
+  if (coursework.build && place < coursework.build->parts.size()) {
+    const PartBuild& compiled = coursework.build->parts[place];
     if (!compiled.compiled)
       return fmt::format("does not compile: {}", firstError(compiled.messages));
   }
   const bool current = report != nullptr && report->build == coursework.number;
-  return current && number < report->failures.size() ? report->failures[number] : std::string();
+  return current && place < report->failures.size() ? report->failures[place] : std::string();
 }
 
 FunctionRow rowOf(const FunctionContract& function, bool partFails,
@@ -53,9 +53,11 @@ void findNext(Progress& progress, const CourseworkState& coursework) {
     return;
   }
   const auto first = [&](auto matches) -> const FunctionRow* {
-    for (const PartRow& part : progress.parts)
+    for (const PartRow& part : progress.parts) {
+      if (part.bonusNotBegun()) continue;
       for (const FunctionRow& row : part.functions)
         if (matches(row.outcome)) return &row;
+    }
     return nullptr;
   };
   const FunctionRow* row = first(isWrong);
@@ -96,15 +98,23 @@ int PartRow::count(Outcome outcome) const {
                     [&](const FunctionRow& row) { return row.outcome == outcome; }));
 }
 
+bool PartRow::bonusNotBegun() const {
+  return part.bonus && failure.empty() &&
+         count(Outcome::kNotWritten) + count(Outcome::kUnknown) ==
+             static_cast<int>(functions.size());
+}
+
 int Progress::count(Outcome outcome) const {
   int sum = 0;
-  for (const PartRow& part : parts) sum += part.count(outcome);
+  for (const PartRow& part : parts)
+    if (!part.bonusNotBegun()) sum += part.count(outcome);
   return sum;
 }
 
 int Progress::functions() const {
   std::size_t sum = 0;
-  for (const PartRow& part : parts) sum += part.functions.size();
+  for (const PartRow& part : parts)
+    if (!part.bonusNotBegun()) sum += part.functions.size();
   return static_cast<int>(sum);
 }
 
@@ -136,8 +146,8 @@ Progress progressOf(const CourseworkState& coursework, const CheckReport* report
 CheckReport withOlder(CheckReport newer, const CheckReport* older) {
   if (older == nullptr) return newer;
   for (FunctionVerdict& verdict : newer.functions) {
-    const auto part = static_cast<std::size_t>(contractOf(verdict.function).part);
-    const bool failed = part < newer.failures.size() && !newer.failures[part].empty();
+    const std::size_t place = placeOfPart(contractOf(verdict.function).part);
+    const bool failed = place < newer.failures.size() && !newer.failures[place].empty();
     if (verdict.outcome != Outcome::kUnknown || failed) continue;
     if (const FunctionVerdict* before = older->find(verdict.function)) verdict = *before;
   }

@@ -29,6 +29,7 @@ struct PartRow {
   std::vector<FunctionRow> functions;
 
   int count(Outcome outcome) const;
+  bool bonusNotBegun() const;  // nothing of it is written, and nobody asks for it
 };
 
 struct Progress {
@@ -39,6 +40,7 @@ struct Progress {
   double fraction = 0.0;  // of the checks, while there are some
   std::string status;     // what is being checked, or what came of it; may be empty
 
+  // Of all parts but bonus parts that are not begun.
   int count(Outcome outcome) const;
   int functions() const;
 };

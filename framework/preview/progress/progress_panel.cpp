@@ -133,8 +133,11 @@ void ProgressPanel::drawPart(const PartRow& part, const Frame& frame) {
   const bool wanted = wantsOpen(part, frame.part);
   ImGui::SetNextItemOpen(wanted, ImGuiCond_Always);
   const std::string title =
-      fmt::format("Part {}   {}/{}   {}###part", part.part.part, part.count(Outcome::kPass),
-                  part.functions.size(), part.part.title);
+      fmt::format("Part {}   {}   {}###part", part.part.part,
+                  part.bonusNotBegun()
+                      ? std::string("bonus")
+                      : fmt::format("{}/{}", part.count(Outcome::kPass), part.functions.size()),
+                  part.part.title);
   const bool open = ImGui::CollapsingHeader(title.c_str());
   if (ImGui::IsItemToggledOpen()) opened_[number] = !wanted;
   if (open) {

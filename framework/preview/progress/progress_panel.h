@@ -41,7 +41,7 @@ class ProgressPanel {
   Progress progress_;
   std::optional<CourseworkFunction> chosen_;
   bool scrollToChosen_ = false;
-  std::array<std::optional<bool>, 8> opened_;  // by part: as the user has it, if they said
+  std::array<std::optional<bool>, 10> opened_;  // by part: as the user has it, if they said
 };
 
 }  // namespace pathmark::preview

@@ -26,7 +26,7 @@ constexpr std::array<std::pair<F, F>, 4> kLikelyCalls{
 
 std::string notWritten(const FunctionContract& f) {
   return fmt::format("{} is not written yet: see {}, section {}.", f.name,
-                     handoutOf(parts()[static_cast<std::size_t>(f.part)]), f.section);
+                     handoutOf(partNumbered(f.part)), f.section);
 }
 
 std::string noteAbout(F function, const StubReport& stubs) {
@@ -104,7 +104,7 @@ void SampleEngine::start(const Request& request, Session& session) const {
   session = Session{};
   session.build = request.coursework->number;
   session.part = part;
-  const PartBuild& made = build.parts.at(static_cast<std::size_t>(part));
+  const PartBuild& made = build.parts.at(placeOfPart(part));
   if (!made.compiled) {
     session.failure = fmt::format("{} does not compile: there are samples again when it does.",
                                   displayPath(made.source));

@@ -43,7 +43,7 @@ std::string headlineOf(const FunctionVerdict& verdict) {
 VerdictWords verdictOn(CourseworkFunction function, const CourseworkState& coursework,
                        const CheckReport* report) {
   const Progress progress = progressOf(coursework, report);
-  const PartRow& part = progress.parts.at(static_cast<std::size_t>(contractOf(function).part));
+  const PartRow& part = progress.parts.at(placeOfPart(contractOf(function).part));
   if (!part.failure.empty()) return {Outcome::kUnknown, "Not checked: the part cannot be.", {}};
   for (const FunctionRow& row : part.functions) {
     if (row.function.function != function) continue;

@@ -1,5 +1,6 @@
-// Stands in for part 2 where the path tracer is checked. Light is looked for in a direction that is
-// uniform on the hemisphere, so that no light is ever sampled.
+// Stands in for part 2 where a path tracer is checked. Light is looked for in a direction that is
+// uniform on the hemisphere, so that no light is ever sampled, except by bonus part 8: of a
+// parallelogram it gets points, and of all other lights "no sample".
 #include "checks/standins/uniform_direction.h"
 
 #include <pathmark/coursework.h>
@@ -7,7 +8,13 @@
 namespace pathmark {
 
 LightSample Polygon::TriangularSampling(float, float) const { return {}; }
-LightSample Polygon::RectangularSampling(float, float) const { return {}; }
+LightSample Polygon::RectangularSampling(float s, float t) const {
+  LightSample y{p(0), normal(), 0.0f};
+  y.p += t * (p(1) - p(0));
+  y.p += s * (p(3) - p(0));
+  y.pdf = 1.0f / (length(p(1) - p(0)) * length(p(3) - p(0)));
+  return y;
+}
 LightSample Polygon::PolygonSampling(float, float) const { return {}; }
 LightSample Sphere::sample(const Point&, float, float) const { return {}; }
 float Sphere::pdf(const Point&, const Point&, const Vector&) const { return 0.0f; }

@@ -28,7 +28,7 @@ std::string solved(const SmallProject& project, const std::string& function) {
   for (const FunctionContract& f : contract())
     if (f.name == function)
       return bodyOf(
-          project.read("solutions/" + std::string(parts()[static_cast<std::size_t>(f.part)].file)),
+          project.read("solutions/" + std::string(partNumbered(f.part).file)),
           function);
   return {};
 }

@@ -30,7 +30,7 @@ const fs::path kProject{build::kProjectFolder};
 // The stubs as they are handed out; a student's own copy has fewer markers.
 TEST(Contract, EveryFunctionHasItsStubWithMarkerTaskAndSection) {
   for (const FunctionContract& f : contract()) {
-    const std::string file(parts()[static_cast<std::size_t>(f.part)].file);
+    const std::string file(partNumbered(f.part).file);
     const std::string text = textOf(kProject / "student" / file);
     EXPECT_NE(
         text.find("PATHMARK_UNIMPLEMENTED(\"" + file + "\", \"" + std::string(f.name) + "\")"),
@@ -54,7 +54,7 @@ TEST(Contract, UnwrittenCourseworkBuildsRendersAndIsKnownAsUnwritten) {
     const RenderOutcome outcome = renderScene(student, loadScene(findScene(name), small), options);
     EXPECT_EQ(outcome.stubs.unwritten.size(), contract().size());
     EXPECT_TRUE(outcome.rendered.complete);
-    EXPECT_EQ(invalidSentence(outcome.rendered, false), "") << name;
+    EXPECT_EQ(invalidSentence(outcome.rendered, Estimator::kPath), "") << name;
   }
 }
 

@@ -31,7 +31,7 @@ std::size_t unwrittenIn(const TemporaryFolder& folder, unsigned fromSolutions) {
   std::size_t unwritten = 0;
   for (const char* scene : {"ucl_sphere", "cornell_box"}) {
     const RenderOutcome outcome = renderScene(mixed, loadScene(findScene(scene), small), options);
-    EXPECT_EQ(invalidSentence(outcome.rendered, false), "") << fromSolutions;
+    EXPECT_EQ(invalidSentence(outcome.rendered, Estimator::kPath), "") << fromSolutions;
     unwritten = outcome.stubs.unwritten.size();
   }
   return unwritten;
