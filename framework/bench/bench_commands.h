@@ -13,5 +13,6 @@ void addBenchLightsCommand(CLI::App& bench, CommandAction& action);
 void addBenchPreviewCommand(CLI::App& bench, CommandAction& action);
 void addBenchSkipCommand(CLI::App& bench, CommandAction& action);
 void addBenchStressCommand(CLI::App& bench, CommandAction& action);
+void addBenchTargetsCommand(CLI::App& bench, CommandAction& action);
 
 }  // namespace pathmark::bench

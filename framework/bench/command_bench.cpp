@@ -13,8 +13,8 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
   bench->callback([bench] {
     if (bench->get_subcommands().empty())
       throw UsageError(
-          "bench is told what to measure: rays, render, error, cost, lights, preview, skip or "
-          "stress.");
+          "bench is told what to measure: rays, render, error, cost, lights, preview, skip, "
+          "stress or targets.");
   });
   bench::addBenchRaysCommand(*bench, action);
   bench::addBenchRenderCommand(*bench, action);
@@ -24,6 +24,7 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
   bench::addBenchPreviewCommand(*bench, action);
   bench::addBenchSkipCommand(*bench, action);
   bench::addBenchStressCommand(*bench, action);
+  bench::addBenchTargetsCommand(*bench, action);
   bench->footer(
       "Examples:\n"
       "  ./pathmark bench rays\n"
@@ -35,7 +36,8 @@ void addBenchCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark bench lights\n"
       "  ./pathmark bench preview\n"
       "  ./pathmark bench skip cornell_box\n"
-      "  ./pathmark bench stress --quick\n\n"
+      "  ./pathmark bench stress --quick\n"
+      "  ./pathmark bench targets --quick\n\n"
       "./pathmark bench COMMAND --help says more about each.");
 }
 

@@ -30,7 +30,6 @@ constexpr std::size_t tileCount(int width, int height) {
   return across(width) * across(height);
 }
 
-enum class Estimator : std::uint32_t { kPath = 0, kWarmUp = 1 };
 enum class Estimator : std::uint32_t {
   kPath = 0,    // renderPixel, and so tracePath
   kWarmUp = 1,  // part 0

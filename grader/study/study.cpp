@@ -119,9 +119,10 @@ StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed, const st
 // The check that finds each subject's mistake. May be used by several threads.
 class Finders {
  public:
-  std::string of(const std::string& key) {
+  std::string of(const std::string& key) const {
     const std::lock_guard lock(mutex_);
-    return first_[key];
+    const auto known = first_.find(key);
+    return known == first_.end() ? std::string() : known->second;
   }
 
   void note(const std::string& key, const StudyRecord& record) {
@@ -131,7 +132,7 @@ class Finders {
   }
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<std::string, std::string> first_;
 };
 

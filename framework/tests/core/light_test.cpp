@@ -17,11 +17,25 @@ struct TestPolygon {
   Polygon polygon() const { return {vertices, triangles, Vector(0, 1, 0)}; }
 };
 
-float densityOf(const TestPolygon& shape) {
-  const Light::Face face{shape.polygon(), 1.0f};
+float densityOf(const TestPolygon& shape, bool bySolidAngle = false) {
+  const Light::Face face{shape.polygon(), 1.0f, bySolidAngle};
   const Light light(std::span(&face, 1), Colour(1));
   return light.sample(Point(0), 0.25f, 0.5f).pdf;
 }
+
+// Of the point that a ray has met.
+float densityAt(const TestPolygon& shape, bool bySolidAngle) {
+  const Light::Face face{shape.polygon(), 1.0f, bySolidAngle};
+  const Light light(std::span(&face, 1), Colour(1));
+  Hit hit;
+  hit.p = shape.vertices[0];
+  return light.pdf(Point(0, 1, 0), hit);
+}
+
+const TestPolygon kTriangle{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
+const TestPolygon kRectangle{{{0, 0, 0}, {2, 0, 0}, {2, 0, 3}, {0, 0, 3}}, {{0, 1, 2}, {0, 2, 3}}};
+const TestPolygon kParallelogram{{{0, 0, 0}, {2, 0, 0}, {3, 0, 1}, {1, 0, 1}},
+                                 {{0, 1, 2}, {0, 2, 3}}};
 
 TEST(Light, TheFunctionFollowsFromTheVertices) {
   EXPECT_EQ(densityOf({{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}}), kTriangularDensity);
@@ -37,10 +51,25 @@ TEST(Light, ARectangleFarFromTheOriginIsStillOne) {
             kRectangularDensity);
 }
 
+TEST(Light, BySolidAngleTrianglesAndRectanglesHaveFunctionsOfTheirOwn) {
+  EXPECT_EQ(densityOf(kTriangle, true), kSphericalTriangleDensity);
+  EXPECT_EQ(densityOf(kRectangle, true), kSphericalRectangleDensity);
+  EXPECT_EQ(densityOf(kParallelogram, true), kRectangularDensity) << "has no right angles";
+}
+
+TEST(Light, ThePointsThatRaysMeetHaveTheDensityOfSampling) {
+  EXPECT_EQ(densityAt(kTriangle, true), kSphericalTriangleDensity);
+  EXPECT_EQ(densityAt(kRectangle, true), kSphericalRectangleDensity);
+  EXPECT_FLOAT_EQ(densityAt(kTriangle, false), 2.0f);
+  EXPECT_FLOAT_EQ(densityAt(kRectangle, false), 1.0f / 6.0f);
+  EXPECT_FLOAT_EQ(densityAt(kParallelogram, true), 0.5f);
+}
+
 TEST(Light, FacesAreChosenByAreaAndTheNumberIsUsedAgain) {
   const TestPolygon shape{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
   const TestPolygon other{{{0, 0, 0}, {2, 0, 0}, {3, 0, 1}, {1, 0, 1}}};
-  const std::vector<Light::Face> faces{{shape.polygon(), 0.25f}, {other.polygon(), 1.0f}};
+  const std::vector<Light::Face> faces{{shape.polygon(), 0.25f, false},
+                                       {other.polygon(), 1.0f, false}};
   const Light light(faces, Colour(1));
   const LightSample first = light.sample(Point(0), 0.125f, 0.5f);
   EXPECT_EQ(first.pdf, kTriangularDensity * 0.25f);

@@ -50,4 +50,21 @@ DirectionSample phongBRDF::reflection(const Vector&, const Vector& n, float, flo
 Colour LitScene::tracePath(const Ray&, Sampler&) const { return Colour(0); }
 Roulette LitScene::RussianRoulette(const Colour&, int, float) const { return {true, 1}; }
 
+float powerHeuristic(float, float) { return 1; }
+float solidAnglePdf(const Point&, const LightSample&) { return 1; }
+Colour LitScene::tracePathMIS(const Ray&, Sampler&) const { return Colour(0); }
+
+LightSample Polygon::SphericalTriangleSampling(const Point& from, float, float) const {
+  return {from, normal(), kSphericalTriangleDensity};
+}
+float Polygon::SphericalTrianglePdf(const Point&, const Point&) const {
+  return kSphericalTriangleDensity;
+}
+LightSample Polygon::SphericalRectangleSampling(const Point& from, float, float) const {
+  return {from, normal(), kSphericalRectangleDensity};
+}
+float Polygon::SphericalRectanglePdf(const Point&, const Point&) const {
+  return kSphericalRectangleDensity;
+}
+
 }  // namespace pathmark
