@@ -89,7 +89,7 @@ TEST(CheckCommand, ChecksTheOtherPartsWhereOneDoesNotCompile) {
   copy.replace(kLambertian, "Kd * kInvPi", "Kd * kInvTau");
   const ProcessResult result = check({"--with", copy.with()});
   EXPECT_EQ(result.exitCode, 1);
-  expectHas(result, "20 of 23 functions are right");
+  expectHas(result, "27 of 30 functions are right");
   expectHas(result, "part3_lambertian.cpp, which does not compile.\n");
   expectHas(result, "kInvTau");
   expectHas(result, "ok          4.1  phongBRDF::brdf");

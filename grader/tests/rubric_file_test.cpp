@@ -112,9 +112,11 @@ TEST_F(RubricFile, EachMistakeHasItsSentence) {
       {"[]", "mine.json:1: found an array of 0 entries, but a rubric must be an object { ... }."},
       {"{}", "mine.json:1: the key \"parts\" is missing, but a rubric must have it."},
       {"{\n\"parts\": {}}", "mine.json:2, /parts: no part has any points, but one of them must."},
-      {"{\"parts\": {\"9\": {}}}",
-       "mine.json:1, /parts/9: found the key \"9\", but the list of "
-       "parts has no such key; it has 0, 1, 2, 3, 4, 5, 6, 7, whole."},
+      {"{\"parts\": {\"10\": {}}}",
+       "mine.json:1, /parts/10: found the key \"10\", but the list of "
+       "parts has no such key; it has 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, whole."},
+      {"{\"parts\": {\"8\": {\"points\": 5}}}",
+       "mine.json:1, /parts: no part has any points, but one of them must."},
       {"{\"parts\": {\"whol\": {}}}", "Did you mean \"whole\"?"},
       {"{\"parts\": {\n\"3\": {}}}",
        "mine.json:2, /parts/3: the key \"points\" is missing, but a part must have it."},
@@ -287,7 +289,8 @@ TEST_F(RubricSchemaAndReader, AgreeOnTheChecksOfEachPart) {
     for (const checks::Check& check : checks::checksOfPart(part.part)) {
       const json rubric{
           {"parts",
-           {{std::to_string(part.part), {{"points", 5}, {"checks", {{idOf(check), 1}}}}}}}};
+           {{"7", {{"points", 1}}},
+            {std::to_string(part.part), {{"points", 5}, {"checks", {{idOf(check), 1}}}}}}}};
       EXPECT_TRUE(fitsSchema(rubric)) << rubric;
       EXPECT_EQ(refusal(rubric.dump()), "accepted") << rubric;
     }
@@ -303,7 +306,8 @@ TEST_F(RubricSchemaAndReader, AgreeOnTheFunctionsOfEachPart) {
   for (const FunctionContract& function : contract()) {
     for (const PartContract& part : parts()) {
       const json rubric{{"parts",
-                         {{std::to_string(part.part),
+                         {{"7", {{"points", 1}}},
+                          {std::to_string(part.part),
                            {{"points", 5}, {"functions", {{std::string(function.section), 2}}}}}}}};
       EXPECT_EQ(fitsSchema(rubric), part.part == function.part) << rubric;
       EXPECT_EQ(refusal(rubric.dump()) == "accepted", part.part == function.part) << rubric;

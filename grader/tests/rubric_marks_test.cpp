@@ -352,6 +352,20 @@ TEST_F(Marking, APartThatWasNotGradedIsNotCounted) {
   EXPECT_EQ(marks.points, marks.outOf);
 }
 
+TEST_F(Marking, BonusPartsComeOnTopAndLeavingThemOutCostsNothing) {
+  PartRubric mis{8, 9.0, 0.0, {}, {}};
+  mis.bonus = true;
+  rubric_.parts.push_back(mis);
+  EXPECT_EQ(mark().points, 109.0);
+  EXPECT_EQ(mark().outOf, 100.0);
+  fail(function(record_, "8.3"));
+  EXPECT_LT(mark().points, 109.0);
+  EXPECT_GT(mark().points, 100.0);
+  std::erase_if(record_.parts, [](const PartRecord& p) { return p.part == 8; });
+  EXPECT_EQ(mark().points, 100.0);
+  EXPECT_EQ(mark().outOf, 100.0);
+}
+
 TEST_F(Marking, OneGoodSceneIsEnough) {
   const auto points = [&](std::vector<Verdict> verdicts) {
     record_.scenes.clear();

@@ -47,7 +47,7 @@ TEST_F(BenchCommand, SaysOnWhatItWasMeasured) {
 }
 
 TEST_F(BenchCommand, WrongCommandLinesAreSentencesAndWriteNothing) {
-  expectRefuses({}, "rays, render, error, cost, preview, skip or stress");
+  expectRefuses({}, "cost, lights, preview, skip, stress or targets");
   expectRefuses({"paint"}, "paint was not expected");
   expectRefuses({"rays", "--fast"}, "--fast was not expected; ./pathmark bench rays --help");
   expectRefuses({"rays", "--seconds", "0"}, "a number of seconds from");

@@ -226,7 +226,7 @@ TEST_F(LongRender, WhatDiffersIsSaidAndNothingIsChanged) {
       {"--sampler", "pcg", "its sampler is sobol, not pcg"},
       {"--size", "48x40", "its size is 40x48, not 48x40"},
       {"--max-bounces", "3", "bounces, not 3"},
-      {"--warm-up", "", "it was made without --warm-up, not with --warm-up"},
+      {"--warm-up", "", "it was made by tracePath, not with --warm-up"},
       {"--rays-per-pixel", "8", "its passes have 64 rays per pixel, not 8"},
       {"--replicates", "5", "its replicates are 1 of 640 rays per pixel, not 5 of 128"},
   };

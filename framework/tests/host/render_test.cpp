@@ -148,6 +148,19 @@ TEST(Render, WarmUpUsesPartZeroOnly) {
   for (const float value : image.image.rgb) EXPECT_EQ(value, 0.75f);
 }
 
+TEST(Render, MisRendersWithTracePathMis) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  worker->loadScene(emptyScene(8, 8));
+  RenderSettings settings;
+  settings.width = settings.height = 8;
+  settings.raysPerPixel = 3;
+  settings.estimator = Estimator::kMis;
+  const RenderedImage image =
+      renderImage(*worker, settings, [](const RenderStatus&) { return true; });
+  for (const float value : image.image.rgb) EXPECT_EQ(value, 0.25f);
+}
+
 TEST(Render, UnwrittenFunctionsAreKnownByTheirMarkerNotTheirValue) {
   TestCoursework coursework;
   coursework.setFile("part6_roulette.cpp",

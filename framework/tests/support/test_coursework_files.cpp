@@ -72,6 +72,23 @@ constexpr const char* kPart6 = R"(
 Roulette LitScene::RussianRoulette(const Colour&, int, float) const { return {true, 1.0f}; }
 )";
 
+constexpr const char* kPart8 = R"(
+float powerHeuristic(float, float) { return 1.0f; }
+float solidAnglePdf(const Point&, const LightSample&) { return 1.0f; }
+Colour LitScene::tracePathMIS(const Ray&, Sampler&) const { return Colour(0.25f); }
+)";
+
+constexpr const char* kPart9 = R"(
+LightSample Polygon::SphericalTriangleSampling(const Point&, float, float) const {
+  return {p(0), normal(), 1.0f};
+}
+float Polygon::SphericalTrianglePdf(const Point&, const Point&) const { return 1.0f; }
+LightSample Polygon::SphericalRectangleSampling(const Point&, float, float) const {
+  return {p(0), normal(), 1.0f};
+}
+float Polygon::SphericalRectanglePdf(const Point&, const Point&) const { return 1.0f; }
+)";
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
@@ -93,6 +110,8 @@ TestCoursework::TestCoursework() {
   setFile("part4_phong.cpp", kPart4);
   setTracePath("(void)ray; const vec2 u = sampler.next2D(); return {u.x, u.y, 1.0f};");
   setFile("part6_roulette.cpp", kPart6);
+  setFile("part8_mis.cpp", kPart8);
+  setFile("part9_solid_angle.cpp", kPart9);
 }
 
 void TestCoursework::write(const std::string& name, const std::string& text) {

@@ -23,6 +23,9 @@ TEST_F(BenchCommand, StressOnlyMakesThePartsThatAreWanted) {
   ASSERT_TRUE(report.is_object());
   EXPECT_TRUE(report.at("tables").contains("albedos"));
   EXPECT_FALSE(report.at("tables").contains("similarity"));
+}
+
+TEST_F(BenchCommand, StressNamesThePartsThatThereAre) {
   expectRefuses({"stress", "--only", "everything"}, "it is one of similarity, lights");
 }
 

@@ -1,7 +1,7 @@
 // Shipped scenes in other units and at other places give the same image.
+#include "bench/stress/moved_scene.h"
 #include "host/blob_file.h"
 #include "host/session.h"
-#include "bench/stress/moved_scene.h"
 #include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 
