@@ -363,6 +363,13 @@ CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy,
   return result;
 }
 
+PartBuild compilePart(const fs::path& folder, int part) {
+  const PartContract& contract = partNumbered(part);
+  PartBuild build{contract, sourceOf(folder, contract.file), {}, {}, {}};
+  buildPart(build, nullptr);
+  return build;
+}
+
 LinkedWorker linkWithStandIns(const CourseworkBuild& build, std::span<const int> parts) {
   LinkInputs inputs{frameworkObjects(), {}, Linking::kStrict, build.confinement};
   const std::vector<std::string> standIns = standInObjects();

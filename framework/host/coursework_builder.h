@@ -51,6 +51,10 @@ CourseworkBuild buildCoursework(const std::filesystem::path& folder,
                                 Incomplete policy = Incomplete::kNoWorker,
                                 std::shared_ptr<Confinement> confinement = {});
 
+// One file alone, outside of any confinement, for a folder of which only this part is of interest.
+// Throws as buildCoursework does.
+PartBuild compilePart(const std::filesystem::path& folder, int part);
+
 struct LinkedWorker {
   std::filesystem::path worker;  // empty if it could not be made
   std::string failure;           // why: sentences with the linker's words

@@ -6,6 +6,7 @@
 #include "checks/path_estimates.h"
 #include "checks/points.h"
 #include "checks/random_rooms.h"
+#include "checks/standins/beam.h"
 #include "checks/standins/lopsided.h"
 
 #include <fmt/format.h>
@@ -157,23 +158,16 @@ constexpr MisMistake kMistakes[] = {
 
 glm::dvec3 expected(Kernel kernel, const LitRoom& room) { return radianceBy(kernel, room); }
 
-Finding judge(CheckRun& run, const Case& c, std::uint64_t seed) {
-  run.worker.loadScene(sceneOf(c.room, c.size));
-  const glm::dvec3 right = expected(rightKernel, c.room);
+// Along one ray through the scene that the worker has.
+Finding judgeRay(CheckRun& run, const PathRay& ray, std::uint32_t paths, const glm::dvec3& right,
+                 const std::string& where, const std::vector<Suspicion>& suspicions) {
   std::vector<Mean> means;
   for (const int channel : kLit)
     means.push_back({.what = fmt::format("radiance, {}", kNames.at(std::size_t(channel))),
                      .expected = right[channel],
                      .delta = kDelta,
                      .scale = right[channel]});
-  std::vector<Suspicion> suspicions;
-  if (c.room.lights.size() == 1)
-    for (const MisMistake& mistake : kMistakes) {
-      const glm::dvec3 wrong = expected(mistake.kernel, c.room);
-      suspicions.push_back({mistake.words, {wrong.x, wrong.z}});
-    }
-  CheckRun own{run.worker, seed, run.budget, run.function};
-  PathEstimates estimates(own, {c.ray()}, c.paths);
+  PathEstimates estimates(run, {ray}, paths);
   const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
     std::vector<double> all(3 * count);
     estimates.measure(first, count, all);
@@ -181,11 +175,22 @@ Finding judge(CheckRun& run, const Case& c, std::uint64_t seed) {
       for (std::size_t k = 0; k < kLit.size(); ++k)
         values[r * kLit.size() + k] = all[3 * r + static_cast<std::size_t>(kLit[k])];
   };
-  Finding finding =
-      judgeMeans(own, means, measure,
-                 fmt::format("{}, maxBounces() = 1\n{}", c.what, c.room.text()), suspicions);
+  Finding finding = judgeMeans(run, means, measure, where, suspicions);
   finding.calls = estimates.paths();
   return finding;
+}
+
+Finding judge(CheckRun& run, const Case& c, std::uint64_t seed) {
+  run.worker.loadScene(sceneOf(c.room, c.size));
+  std::vector<Suspicion> suspicions;
+  if (c.room.lights.size() == 1)
+    for (const MisMistake& mistake : kMistakes) {
+      const glm::dvec3 wrong = expected(mistake.kernel, c.room);
+      suspicions.push_back({mistake.words, {wrong.x, wrong.z}});
+    }
+  CheckRun own{run.worker, seed, run.budget, run.function};
+  return judgeRay(own, c.ray(), c.paths, expected(rightKernel, c.room),
+                  fmt::format("{}, maxBounces() = 1\n{}", c.what, c.room.text()), suspicions);
 }
 
 Finding directLight(CheckRun& run) {
@@ -248,6 +253,44 @@ Finding bothWays(CheckRun& run) {
   return finding;
 }
 
+// In a box whose walls all emit and reflect alike, what comes from any of them is known. A small
+// surface that looks at it draws directions with quite another density than the walls: a weight
+// that takes the density of another hit than its own is wrong from the second hit on.
+Finding laterHits(CheckRun& run) {
+  Random random(run.seed);
+  constexpr int kBounces = 3;
+  const auto length = static_cast<float>(random.between(0.5, 2.0));
+  const Colour emission = randomEmission(random), albedo(0.7f, 0.0f, 0.5f), kd(0.6f, 0.0f, 0.8f);
+  const Surface wall{.kd = albedo, .emission = emission};
+  const Vector x(length, 0, 0), y(0, length, 0), z(0, 0, length);
+  SceneBuilder builder;
+  builder.parallelogram(wall, Point(0), x, y)
+      .parallelogram(wall, Point(z), y, x)
+      .parallelogram(wall, Point(0), z, x)
+      .parallelogram(wall, Point(y), x, z)
+      .parallelogram(wall, Point(0), y, z)
+      .parallelogram(wall, Point(x), z, y);
+  const Point centre(0.5f * (x + y + z));
+  const float side = 1e-3f;  // of the box
+  builder.parallelogram({.kd = kd, .ks = Colour(0.05f), .exponent = beam::kLeastExponent},
+                        centre - 0.5f * side * (x + z), side * z, side * x);
+  run.worker.loadScene(builder.flat());
+  const Vector wo = atCosine({0, 1, 0}, random.between(0.3, 0.9), random.between(0.0, kTwoPi));
+  glm::dvec3 right(0.0);
+  for (const int channel : kLit) {
+    const double rho{albedo[channel]};
+    double share = 1.0;
+    for (int bounce = 1; bounce <= kBounces; ++bounce, share *= rho) right[channel] += share;
+    right[channel] *= double{kd[channel]} * double{emission[channel]};
+  }
+  return judgeRay(
+      run, {{centre + 1e-2f * length * wo, -wo}, kBounces}, 512, right,
+      fmt::format("in a box of which all walls emit {} and reflect {}, looking at a small surface "
+                  "that reflects into a narrow cone only, maxBounces() = {}",
+                  text(emission), text(albedo), kBounces),
+      {});
+}
+
 }  // namespace
 
 std::vector<Check> lightChecks() {
@@ -256,6 +299,9 @@ std::vector<Check> lightChecks() {
        "the mean radiance of a surface before lights is the light that they send, found in two "
        "ways and counted once",
        kDelta, directLight},
+      {"later-hits", F::kTracePathMis,
+       "the weights at each hit are those of its own densities, not of another hit's", kDelta,
+       laterHits},
       {"both-ways", F::kTracePathMis,
        "lights are found both by points on them and by the path itself, so that neither a near "
        "light nor a small one is noisy",

@@ -48,7 +48,7 @@ struct StudyArguments {
 constexpr const char* kSlight = "slight";
 
 // Files that are tried on the diagnosis: with a mistake and a difference, and with two mistakes.
-constexpr std::size_t kMostFiles = 120;
+constexpr std::size_t kMostFiles = 90;
 
 bool isSlight(const Variant& variant) { return variant.name.find("_slight_") != std::string::npos; }
 

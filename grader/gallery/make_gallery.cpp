@@ -141,8 +141,9 @@ class Maker {
   std::filesystem::path programOf(const Variant& variant) {
     const std::filesystem::path folder = options_.scratch / variant.name;
     applyVariant(variant, folder);
-    const CourseworkBuild build = buildCoursework(folder, Incomplete::kCompileOnly);
-    const PartBuild& part = build.parts[placeOfPart(variant.part)];
+    CourseworkBuild build = solutions_;
+    PartBuild& part = build.parts[placeOfPart(variant.part)];
+    part = compilePart(folder, variant.part);
     if (!part.compiled)
       throw std::runtime_error(fmt::format("{} does not compile: {}", variant.name, part.messages));
     const LinkedWorker linked = linkWithOthers(build, std::array{variant.part}, solutions_);

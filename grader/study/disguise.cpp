@@ -71,7 +71,7 @@ std::optional<CaseBuild> buildCase(const MistakenCase& c, const CourseworkBuild&
   }
   CaseBuild made{others, functionsThatMayDifferIn(c.part(), others.folder, folder)};
   const std::size_t part = placeOfPart(c.part());
-  made.build.parts[part] = buildCoursework(folder, Incomplete::kCompileOnly).parts[part];
+  made.build.parts[part] = compilePart(folder, c.part());
   fs::remove_all(folder);
   if (!made.build.parts[part].compiled) return std::nullopt;
   return made;

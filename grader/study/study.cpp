@@ -198,7 +198,7 @@ StudySubject variantSubject(const Variant& variant, bool images, const fs::path&
   applyVariant(variant, folder);
   // Only the part that is changed comes from there; the others keep their objects.
   const std::size_t part = placeOfPart(variant.part);
-  subject.build.parts[part] = buildCoursework(folder, Incomplete::kCompileOnly).parts[part];
+  subject.build.parts[part] = compilePart(folder, variant.part);
   subject.name = variant.name;
   subject.variant = variant;
   subject.selection.parts = {variant.part};
