@@ -21,10 +21,12 @@ void touch(const fs::path& file) {
   std::ofstream(file, std::ios::app) << fmt::format("// {}\n", unique);
 }
 
-void copyCoursework(const fs::path& from, const fs::path& to) {
+// What is asked of everybody: without the bonus parts.
+void copyAskedParts(const fs::path& from, const fs::path& to) {
   fs::create_directories(to);
   for (const PartContract& part : parts())
-    fs::copy_file(from / part.file, to / part.file, fs::copy_options::overwrite_existing);
+    if (!part.bonus)
+      fs::copy_file(from / part.file, to / part.file, fs::copy_options::overwrite_existing);
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ void copyCoursework(const fs::path& from, const fs::path& to) {
 void addMarkingTimes(const fs::path& coursework, const fs::path& scratch, Progress& progress,
                      Report& report) {
   const fs::path copy = scratch / "submission", log = scratch / "log.txt";
-  copyCoursework(coursework, copy);
+  copyAskedParts(coursework, copy);
   progress.show("check");
   runOwn({"check", "--with", copy.string()}, log);  // compiles all parts
   progress.advance(10.0);
@@ -51,7 +53,7 @@ void addMarkingTimes(const fs::path& coursework, const fs::path& scratch, Progre
                             .target = Target{20.0, 8.0, false}});
   if (solvedCoursework() == "student") return;  // a student's kit, which has no grader
   progress.show("grade");
-  for (const PartContract& part : parts()) touch(copy / part.file);
+  for (const auto& file : fs::directory_iterator(copy)) touch(file.path());
   const OwnRun grade =
       runOwn({"grade", copy.string(), "--out", (scratch / "grades").string()}, log);
   progress.advance(20.0);

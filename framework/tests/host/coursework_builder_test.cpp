@@ -49,6 +49,19 @@ TEST(CourseworkBuilder, TheOtherPartsOfABrokenCourseworkCanBeAskedForTheirStubs)
   EXPECT_EQ(WorkerProcess(std::move(options)).stubs().size(), 1u);
 }
 
+TEST(CourseworkBuilder, OnePartIsCompiledWithoutTheOthers) {
+  TestCoursework coursework;
+  coursework.setFile("part3_lambertian.cpp", "this is not C++");
+  const PartBuild broken = compilePart(coursework.folder(), 3);
+  EXPECT_FALSE(broken.compiled);
+  EXPECT_NE(broken.messages.find("part3_lambertian.cpp:3:1: error"), std::string::npos)
+      << broken.messages;
+  const PartBuild path = compilePart(coursework.folder(), 5);
+  EXPECT_TRUE(path.compiled);
+  EXPECT_EQ(path.object,
+            buildCoursework(coursework.folder(), Incomplete::kCompileOnly).parts[5].object);
+}
+
 TEST(CourseworkBuilder, AMissingFunctionReturnValueIsAnErrorNotAWarning) {
   TestCoursework coursework;
   coursework.setTracePath("(void)ray; (void)sampler;");
