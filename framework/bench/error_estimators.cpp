@@ -112,8 +112,7 @@ std::optional<EstimatorRender> RunningEstimator::render(std::uint64_t raysPerPix
 std::string whatIsUnwritten(const Coursework& coursework) {
   WorkerProcess worker(workerOptions(coursework));
   const auto isOfLab = [&](const FunctionContract& f) {
-    return isLab(coursework.folder) &&
-           fs::exists(coursework.folder / partNumbered(f.part).file);
+    return isLab(coursework.folder) && fs::exists(coursework.folder / partNumbered(f.part).file);
   };
   std::vector<FunctionContract> missing;
   for (const FunctionContract& f : makeStubReport(worker.stubs()).unwritten)

@@ -51,9 +51,10 @@ grading::RunAsked runAsked(const GradeArguments& arguments) {
       asked.parts.push_back(part.part);
   }
   if (asked.parts.empty())
-    throw UsageError(fmt::format("--only: found {}, allowed is a part: part0 to part6, and the "
-                                 "bonus parts part8 and part9.",
-                                 arguments.only));
+    throw UsageError(
+        fmt::format("--only: found {}, allowed is a part: part0 to part6, and the "
+                    "bonus parts part8 and part9.",
+                    arguments.only));
   return asked;
 }
 

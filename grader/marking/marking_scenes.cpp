@@ -69,8 +69,7 @@ std::vector<MarkingScene> scenesOfPart(int part, std::uint64_t seed) {
     case 9: {
       std::vector<MarkingScene> scenes{sceneLike("ucl_rectangle", seed),
                                        sceneLike("ucl_triangle", seed)};
-      for (MarkingScene& scene : scenes)
-        scene.flat.lightSampling = LightSampling::kBySolidAngle;
+      for (MarkingScene& scene : scenes) scene.flat.lightSampling = LightSampling::kBySolidAngle;
       return scenes;
     }
     default:

@@ -53,8 +53,8 @@ class Polygon {
   // Part 9, bonus. A point of the triangle p0 p1 p2, uniform over the solid angle omega that the
   // triangle fills as seen from `from`; density per unit area, cos(theta') / (omega |p - from|^2),
   // theta' the angle at p between the normal and the direction to `from`. Where omega is below
-  // 1e-3 sr any density will do that is above 0 on the whole triangle. The density is 0 where `from`
-  // lies behind the triangle or in its plane. Arvo 1995; Peters 2021.
+  // 1e-3 sr any density will do that is above 0 on the whole triangle. The density is 0 where
+  // `from` lies behind the triangle or in its plane. Arvo 1995; Peters 2021.
   LightSample SphericalTriangleSampling(const Point& from, float s, float t) const;
 
   // Part 9, bonus. The density per unit area with which SphericalTriangleSampling(from, ...)

@@ -27,9 +27,7 @@ std::string bodyOf(const std::string& text, const std::string& function) {
 std::string solved(const SmallProject& project, const std::string& function) {
   for (const FunctionContract& f : contract())
     if (f.name == function)
-      return bodyOf(
-          project.read("solutions/" + std::string(partNumbered(f.part).file)),
-          function);
+      return bodyOf(project.read("solutions/" + std::string(partNumbered(f.part).file)), function);
   return {};
 }
 
