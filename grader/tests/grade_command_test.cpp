@@ -150,8 +150,8 @@ TEST_F(GradeCommand, ANewRubricMarksRecordsAnewWithoutRunningThem) {
   EXPECT_EQ(result.exitCode, 0) << result.output;
   EXPECT_EQ(textOf(recordOf("right")), before);
   const std::string row = rowOf(textOf(out() / "marks.csv"), "right");
-  EXPECT_NE(row.find("55"), std::string::npos) << row;
-  EXPECT_EQ(csv.find("55"), std::string::npos) << csv;
+  EXPECT_TRUE(row.starts_with("right,55,55,")) << row;
+  EXPECT_FALSE(rowOf(csv, "right").starts_with("right,55,")) << csv;
 }
 
 TEST_F(GradeCommand, GradesAgainWhatHasADamagedRecord) {
