@@ -8,6 +8,7 @@
 #include "bench/picture_folder.h"
 #include "bench/render_cost.h"
 #include "bench/report_file.h"
+#include "bench/with_option.h"
 #include "film/atomic_file.h"
 #include "host/exit_code.h"
 #include "host/options.h"
@@ -173,10 +174,7 @@ void addBenchCostCommand(CLI::App& bench, CommandAction& action) {
       bench.add_subcommand("cost", "Time and memory over the number of rays and of pixels");
   command->add_option("SCENE", arguments->scene, "By name or file (default: cornell_box)")
       ->type_name("");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default where there are any), student, or a folder")
-      ->type_name("DIR");
+  addWithOption(*command, arguments->with);
   takesWholeNumber(
       command->add_option("--repeats", arguments->repeats, "Runs of each (default: 5)"), 2, 1000);
   command->add_flag("--quick", arguments->quick, "Few rays and pixels: whether all of it works");

@@ -8,6 +8,7 @@
 #include "bench/render_runs.h"
 #include "bench/report.h"
 #include "bench/report_file.h"
+#include "bench/with_option.h"
 #include "host/exit_code.h"
 #include "host/options.h"
 
@@ -128,11 +129,7 @@ void addBenchLightsCommand(CLI::App& bench, CommandAction& action) {
                    "Scenes that have a reference (default: veach_plates, cornell_phong, "
                    "cornell_box and many_lights)")
       ->type_name("");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default where there are any), student, or a folder of "
-                   "part*.cpp files")
-      ->type_name("DIR");
+  addWithOption(*command, arguments->with);
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: 64)"),
                    1, 1000000);

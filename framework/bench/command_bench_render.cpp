@@ -5,6 +5,7 @@
 #include "bench/picture_folder.h"
 #include "bench/render_bench.h"
 #include "bench/report_file.h"
+#include "bench/with_option.h"
 #include "host/exit_code.h"
 #include "host/options.h"
 #include "host/session.h"
@@ -110,11 +111,7 @@ void addBenchRenderCommand(CLI::App& bench, CommandAction& action) {
       ->add_option("SCENE", arguments->scenes,
                    "cornell_box (s1), cornell_spheres (s2), blob (s3) (default: all three)")
       ->type_name("");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default where there are any), student, or a folder of "
-                   "part*.cpp files")
-      ->type_name("DIR");
+  addWithOption(*command, arguments->with);
   command
       ->add_option("--peer", arguments->peer,
                    "Render the same with another program too: cycles, which needs blender")

@@ -8,6 +8,7 @@
 #include "bench/skip/edited_coursework.h"
 #include "bench/skip/render_pair.h"
 #include "bench/stress/coarse_blob.h"
+#include "bench/with_option.h"
 #include "host/blob_file.h"
 #include "host/exit_code.h"
 #include "host/options.h"
@@ -265,11 +266,7 @@ void addBenchSkipCommand(CLI::App& bench, CommandAction& action) {
           "SCENE", arguments->scenes,
           "Scenes by name, or .json files (default: those in scenes/; blob with few triangles)")
       ->type_name("");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default where there are any), student, or a folder of "
-                   "part*.cpp files")
-      ->type_name("DIR");
+  addWithOption(*command, arguments->with);
   takesWholeNumber(command->add_option("--rounds", arguments->rounds,
                                        "Renders of each kind, in turn (default: 15)"),
                    3, 1000);

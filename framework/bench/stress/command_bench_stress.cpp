@@ -6,6 +6,7 @@
 #include "bench/report_file.h"
 #include "bench/stress/stress.h"
 #include "bench/stress/stress_chapter.h"
+#include "bench/with_option.h"
 #include "host/exit_code.h"
 #include "host/output_file.h"
 #include "host/session.h"
@@ -90,11 +91,7 @@ void addBenchStressCommand(CLI::App& bench, CommandAction& action) {
                    "Only this part: similarity, lights, materials, input, long-runs, threads or "
                    "degenerate; may be given several times")
       ->type_name("NAME");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default where there are any), student, or a folder of "
-                   "part*.cpp files")
-      ->type_name("DIR");
+  addWithOption(*command, arguments->with);
   command->add_flag("--quick", arguments->quick,
                     "With fewer rays and fewer places: less than a minute instead of ten");
   addJsonOption(*command, arguments->json);

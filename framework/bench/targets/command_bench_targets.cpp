@@ -8,6 +8,7 @@
 #include "bench/targets/marking_times.h"
 #include "bench/targets/own_command.h"
 #include "bench/targets/targets_chapter.h"
+#include "bench/with_option.h"
 #include "host/exit_code.h"
 #include "host/output_file.h"
 #include "host/session.h"
@@ -182,11 +183,7 @@ void addBenchTargetsCommand(CLI::App& bench, CommandAction& action) {
   const auto arguments = std::make_shared<BenchTargetsArguments>();
   CLI::App* command = bench.add_subcommand(
       "targets", "All that is asked of the program's speed, in one run, as a table and a chapter");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default where there are any), student, or a folder of "
-                   "part*.cpp files")
-      ->type_name("DIR");
+  addWithOption(*command, arguments->with);
   command
       ->add_option("--peer", arguments->peer,
                    "Render the same with another program too: cycles, which needs blender")
