@@ -1,5 +1,5 @@
-// pathmark bench lights: what the bonus parts buy, multiple importance sampling and points on
-// lights by the solid angle.
+// pathmark bench lights: what other ways to find the lights buy: multiple importance sampling,
+// points on lights by the solid angle, and several paths for each camera ray.
 #include "bench/bench_commands.h"
 #include "bench/interrupted_run.h"
 #include "bench/machine.h"
@@ -35,10 +35,14 @@ struct Way {
 };
 
 const std::vector<Way>& ways() {
-  static const std::vector<Way> kWays{{"tracePath", {}},
-                                      {"tracePath, solid angle", {"--solid-angle"}},
-                                      {"tracePathMIS", {"--mis"}},
-                                      {"tracePathMIS, solid angle", {"--mis", "--solid-angle"}}};
+  static const std::vector<Way> kWays{
+      {"tracePath", {}},
+      {"tracePath, solid angle", {"--solid-angle"}},
+      {"tracePathMIS", {"--mis"}},
+      {"tracePathMIS, solid angle", {"--mis", "--solid-angle"}},
+      {"4 paths a ray", {"--split", "4"}},
+      {"4 paths a ray, direct light shared", {"--split", "4", "--share-direct"}},
+      {"8 paths a ray, direct light shared", {"--split", "8", "--share-direct"}}};
   return kWays;
 }
 
@@ -123,7 +127,8 @@ int benchLights(const BenchLightsArguments& arguments) {
 void addBenchLightsCommand(CLI::App& bench, CommandAction& action) {
   const auto arguments = std::make_shared<BenchLightsArguments>();
   CLI::App* command = bench.add_subcommand(
-      "lights", "What bonus parts 8 and 9 buy: error and time with and without them");
+      "lights",
+      "What bonus parts 8 and 9 and split paths buy: error and time with and without them");
   command
       ->add_option("SCENE", arguments->scenes,
                    "Scenes that have a reference (default: veach_plates, cornell_phong, "
@@ -143,7 +148,7 @@ void addBenchLightsCommand(CLI::App& bench, CommandAction& action) {
       "  ./pathmark bench lights\n"
       "  ./pathmark bench lights veach_plates --seeds 8 --json lights.json\n\n"
       "Efficiency is 1 / (relative mean squared error x CPU seconds of the whole process), of\n"
-      "processes of one thread. All four ways take turns, so that other programs disturb them "
+      "processes of one thread. All ways take turns, so that other programs disturb them "
       "alike.");
   command->callback(
       [arguments, &action] { action = [arguments] { return benchLights(*arguments); }; });

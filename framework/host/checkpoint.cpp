@@ -28,12 +28,12 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::size_t kHashDigits = 32, kPathsText = PathExpression::kLongestText;
 constexpr char kMagic[8] = {'P', 'M', 'c', 'h', 'e', 'c', 'k', '\n'};
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 
 struct Header {
   char magic[8];
   std::uint32_t version = kVersion;
-  std::uint16_t estimator = 0, sampler = 0;
+  std::uint8_t estimator = 0, sampler = 0, pathsPerRay = 1, sharesDirectLight = 0;
   char scene[kHashDigits];
   char coursework[kHashDigits];
   char paths[kPathsText];  // then zeros
@@ -68,8 +68,10 @@ Header headerOf(const CheckpointIdentity& identity, const RenderState& state) {
   settings.paths.copy(header.paths, kPathsText);
   identity.scene.copy(header.scene, kHashDigits);
   identity.coursework.copy(header.coursework, kHashDigits);
-  header.estimator = static_cast<std::uint16_t>(settings.estimator);
-  header.sampler = static_cast<std::uint16_t>(settings.sampler);
+  header.estimator = static_cast<std::uint8_t>(settings.estimator);
+  header.sampler = static_cast<std::uint8_t>(settings.sampler);
+  header.pathsPerRay = static_cast<std::uint8_t>(settings.pathsPerRay);
+  header.sharesDirectLight = settings.sharesDirectLight ? 1 : 0;
   header.width = static_cast<std::uint32_t>(settings.width);
   header.height = static_cast<std::uint32_t>(settings.height);
   header.maxBounces = identity.maxBounces;
@@ -101,6 +103,8 @@ Checkpoint checkpointOf(const Header& header) {
   identity.settings.replicates = header.replicates;
   identity.settings.seed = header.seed;
   identity.settings.estimator = static_cast<Estimator>(header.estimator);
+  identity.settings.pathsPerRay = header.pathsPerRay;
+  identity.settings.sharesDirectLight = header.sharesDirectLight != 0;
   identity.settings.sampler = static_cast<SamplerKind>(header.sampler);
   identity.settings.paths.assign(header.paths, lengthOf(header.paths));
   RenderState& state = checkpoint.state;
@@ -139,7 +143,8 @@ bool isPossible(const Header& header) {
       !within(header.raysPerPixel, 1, kMostRays) ||
       !within(header.replicates, 1, header.raysPerPixel) ||
       header.raysPerPixel % header.replicates != 0 ||
-      header.estimator > static_cast<std::uint16_t>(Estimator::kMis) ||
+      header.estimator > static_cast<std::uint8_t>(Estimator::kSplit) ||
+      !within(header.pathsPerRay, 1, kMostPathsPerRay) || header.sharesDirectLight > 1 ||
       header.sampler >= kSamplerNames.size() || !isPossible(header.paths))
     return false;
   const RenderSettings settings = checkpointOf(header).identity.settings;

@@ -10,12 +10,15 @@ namespace pathmark {
 
 namespace {
 
-const char* nameOf(Estimator estimator) {
-  switch (estimator) {
+std::string nameOfEstimator(const RenderSettings& settings) {
+  switch (settings.estimator) {
     case Estimator::kWarmUp:
       return "with --warm-up";
     case Estimator::kMis:
       return "with --mis";
+    case Estimator::kSplit:
+      return fmt::format("with --split {}{}", settings.pathsPerRay,
+                         settings.sharesDirectLight ? " --share-direct" : "");
     case Estimator::kPath:
       break;
   }
@@ -34,8 +37,8 @@ std::string differentSettings(const CheckpointIdentity& has, const CheckpointIde
   if (a.seed != b.seed) return fmt::format("its seed is {}, not {}", a.seed, b.seed);
   if (a.sampler != b.sampler)
     return fmt::format("its sampler is {}, not {}", nameOf(a.sampler), nameOf(b.sampler));
-  if (a.estimator != b.estimator)
-    return fmt::format("it was made {}, not {}", nameOf(a.estimator), nameOf(b.estimator));
+  if (const std::string made = nameOfEstimator(a), asked = nameOfEstimator(b); made != asked)
+    return fmt::format("it was made {}, not {}", made, asked);
   if (a.paths != b.paths)
     return fmt::format("its light paths are {}, not {}", nameOf(a.paths), nameOf(b.paths));
   if (has.scene != wanted.scene) return "it is of another scene, or the scene has changed since";

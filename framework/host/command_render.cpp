@@ -33,7 +33,8 @@ struct RenderArguments {
   std::string output;
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
-  bool explain = false, warmUp = false, mis = false, solidAngle = false;
+  int split = 1;                  // paths for each camera ray
+  bool explain = false, warmUp = false, mis = false, solidAngle = false, shareDirect = false;
   std::string targetError, rayMap;
   PictureRequest picture;
 };
@@ -114,6 +115,11 @@ int render(RenderArguments& arguments) {
   if (arguments.paths) options.paths = findPaths(*arguments.paths);
   if (arguments.warmUp) options.estimator = Estimator::kWarmUp;
   if (arguments.mis) options.estimator = Estimator::kMis;
+  if (arguments.split > 1) {
+    options.estimator = Estimator::kSplit;
+    options.pathsPerRay = static_cast<std::uint32_t>(arguments.split);
+    options.sharesDirectLight = arguments.shareDirect;
+  }
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.explain) {
@@ -215,10 +221,21 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
   CLI::Option* const warmUp =
       command->add_flag("--warm-up", arguments->warmUp,
                         "Render with part 0's get_ray_radiance; spheres are left out");
+  CLI::Option* const mis =
+      command
+          ->add_flag("--mis", arguments->mis,
+                     "Render with bonus part 8's tracePathMIS in place of tracePath")
+          ->excludes(warmUp);
+  CLI::Option* const split =
+      command->add_option("--split", arguments->split,
+                          "Trace so many paths for each camera ray, which share the surface that "
+                          "it meets first (default: 1)");
+  takesWholeNumber(split->excludes(warmUp)->excludes(mis), 1, kMostPathsPerRay);
   command
-      ->add_flag("--mis", arguments->mis,
-                 "Render with bonus part 8's tracePathMIS in place of tracePath")
-      ->excludes(warmUp);
+      ->add_flag("--share-direct", arguments->shareDirect,
+                 "Let those paths share the direct light there, too, where the noise is from the "
+                 "indirect")
+      ->needs(split);
   command
       ->add_flag("--solid-angle", arguments->solidAngle,
                  "Sample lights that are one triangle or rectangle by bonus part 9, by the solid "

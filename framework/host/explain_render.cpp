@@ -29,6 +29,12 @@ PlanLine points(const RenderSettings& settings) {
           fmt::format("seed {}", settings.seed)};
 }
 
+PlanLine pathsOfRays(const RenderSettings& settings) {
+  return {"paths", fmt::format("{} for each camera ray", settings.pathsPerRay),
+          settings.sharesDirectLight ? "they share the first surface and its direct light"
+                                     : "they share the first surface"};
+}
+
 PlanLine replicates(const RenderSettings& settings) {
   if (settings.replicates == 1)
     return {"replicates", "1", "without --replicates no variance is told"};
@@ -82,6 +88,7 @@ std::string explainRender(const LoadedScene& scene, const RenderSettings& settin
   if (!settings.paths.empty())
     for (PlanLine& line : explainLightPaths(PathExpression(settings.paths), view))
       lines.push_back(std::move(line));
+  if (settings.estimator == Estimator::kSplit) lines.push_back(pathsOfRays(settings));
   lines.insert(lines.end(),
                {points(settings), replicates(settings), threads(settings), coordinates(scene)});
   std::size_t width = 0;

@@ -135,6 +135,8 @@ RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& option
   settings.sampler = options.sampler;
   if (options.paths) letThrough(*options.paths, scene.flat, settings);
   settings.estimator = options.estimator;
+  settings.pathsPerRay = options.pathsPerRay;
+  settings.sharesDirectLight = options.sharesDirectLight;
   return settings;
 }
 
@@ -191,9 +193,10 @@ std::string invalidSentence(const RenderedImage& image, Estimator estimator) {
   add(invalid.infinite, "infinite");
   add(invalid.negative, "negative");
   const auto width = static_cast<std::uint64_t>(image.image.width);
-  const char* const who = estimator == Estimator::kWarmUp ? "get_ray_radiance"
-                          : estimator == Estimator::kMis  ? "tracePathMIS"
-                                                          : "renderPixel";
+  const char* const who = estimator == Estimator::kWarmUp  ? "get_ray_radiance"
+                          : estimator == Estimator::kMis   ? "tracePathMIS"
+                          : estimator == Estimator::kSplit ? "tracePath"
+                                                           : "renderPixel";
   return fmt::format(
       "{} returned {} values, first in pixel column {}, row {}: a radiance is finite and not "
       "negative. They are left out of the picture; pixels that have no other value are magenta.",

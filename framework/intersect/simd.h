@@ -11,11 +11,14 @@
 
 #include "intersect/primitive_hit.h"
 
+// GCC 12 warns of its own AVX-512 functions, which begin with an undefined vector on purpose.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #include <experimental/simd>
-
 #if defined(__FMA__) && defined(__AVX__)
 #include <immintrin.h>
 #endif
+#pragma GCC diagnostic pop
 
 #include <bit>
 #include <cstdint>

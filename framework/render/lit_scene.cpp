@@ -1,9 +1,12 @@
 // The part of LitScene that the framework gives.
 #include <pathmark/lit_scene.h>
 
+#include "render/first_surface.h"
 #include "render/path_filter.h"
 #include "render/ray_count.h"
 #include "render/scene_core.h"
+
+#include <utility>
 
 namespace pathmark {
 
@@ -11,6 +14,19 @@ namespace {
 
 thread_local std::uint64_t rayCount = 0;
 thread_local PathFilter* pathFilter = nullptr;
+
+// Of a path that shares its camera ray.
+struct FirstSurface {
+  Hit hit;
+  bool waits = false;  // for the path to ask for it
+  bool dark = false;   // while a path is there that shall not see what lights it
+};
+thread_local FirstSurface first;
+
+// One look for all rays of a normal render.
+thread_local bool isPlain = true;
+
+void lookAgain() { isPlain = pathFilter == nullptr && !first.waits && !first.dark; }
 
 bool intersectFiltered(const SceneCore& core, const Ray& ray, Hit& hit) {
   if (!pathFilter->follows(ray.origin)) return false;
@@ -20,17 +36,47 @@ bool intersectFiltered(const SceneCore& core, const Ray& ray, Hit& hit) {
   return true;
 }
 
+bool intersectSpecially(const SceneCore& core, const Ray& ray, Hit& hit) {
+  if (std::exchange(first.waits, false)) {
+    lookAgain();
+    hit = first.hit;
+    return true;
+  }
+  first.dark = false;
+  lookAgain();
+  if (pathFilter != nullptr) return intersectFiltered(core, ray, hit);
+  ++rayCount;
+  return core.intersect(ray, hit);
+}
+
 }  // namespace
 
 std::uint64_t raysOfThisThread() { return rayCount; }
 void countRaysOfThisThread(std::uint64_t rays) { rayCount += rays; }
 void restartRayCount() { rayCount = 0; }
 
-void filterPathsOfThisThread(PathFilter* filter) { pathFilter = filter; }
+void filterPathsOfThisThread(PathFilter* filter) {
+  pathFilter = filter;
+  lookAgain();
+}
+
+void beginWithSurface(const Hit& surface, bool dark) {
+  first = {surface, true, dark};
+  if (dark) {
+    first.hit.emission = Colour(0.0f);
+    first.hit.light = nullptr;
+  }
+  isPlain = false;
+}
+
+void beginAnywhere() {
+  first.waits = first.dark = false;
+  lookAgain();
+}
 
 bool LitScene::intersect(const Ray& ray, Hit& hit) const {
-  if (pathFilter != nullptr) [[unlikely]]
-    return intersectFiltered(*core_, ray, hit);
+  if (!isPlain) [[unlikely]]
+    return intersectSpecially(*core_, ray, hit);
   ++rayCount;
   return core_->intersect(ray, hit);
 }
@@ -42,6 +88,10 @@ bool LitScene::visible(const Hit& from, const LightSample& to) const {
   return core_->visible(from, to);
 }
 
-std::span<const Light> LitScene::lights() const { return core_->lights(); }
+std::span<const Light> LitScene::lights() const {
+  if (first.dark) [[unlikely]]
+    return {};
+  return core_->lights();
+}
 
 }  // namespace pathmark

@@ -34,7 +34,11 @@ enum class Estimator : std::uint32_t {
   kPath = 0,    // renderPixel, and so tracePath
   kWarmUp = 1,  // part 0
   kMis = 2,     // part 8's tracePathMIS
+  kSplit = 3,   // several paths of tracePath from each camera ray
 };
+
+// Paths that may share a camera ray.
+inline constexpr std::uint32_t kMostPathsPerRay = 64;
 
 // Pixels of the image, from the top left.
 struct PixelRegion {
@@ -52,8 +56,10 @@ struct RenderJob {
   std::uint32_t raysByTile = 0;  // 1: so many of each pixel as its tile has in the film's memory,
                                  // at most `rays`; the region then begins at a tile
   std::uint32_t raysPerPass = 1;
-  PixelRegion region;           // to render; what reaches beyond the image is cut off
-  std::uint32_t ownCamera = 0;  // 1: the camera is `camera` and not the scene's
+  std::uint32_t pathsPerRay = 1;        // of Estimator::kSplit
+  std::uint32_t sharesDirectLight = 0;  // 1: those paths share direct light, too
+  PixelRegion region;                   // to render; what reaches beyond the image is cut off
+  std::uint32_t ownCamera = 0;          // 1: the camera is `camera` and not the scene's
   FlatCamera camera;
   PathAutomaton paths;  // that light is let through along; not of the warm-up
 };

@@ -2,6 +2,7 @@
 
 #include "render/path_filter.h"
 #include "render/ray_count.h"
+#include "render/split_paths.h"
 #include "sampling/pixel_sampler.h"
 
 #include <algorithm>
@@ -27,6 +28,13 @@ void flushDenormalsToZero() {
 #endif
 }
 
+// In strata like those of part 1, without calling it.
+vec2 placeInPixel(int ray, int rays, const vec2& st) {
+  const int n = static_cast<int>(std::sqrt(static_cast<float>(rays)));
+  if (ray >= n * n) return st;
+  return (vec2(ray % n, ray / n) + st) / static_cast<float>(n);
+}
+
 class PixelRenderer {
  public:
   PixelRenderer(const SceneCore& core, const RenderJob& job, const SimpleCamera& camera)
@@ -38,6 +46,7 @@ class PixelRenderer {
       warmUp_ = core.warmUpTriangles();
     else if (job.paths.filters())
       filter_ = std::make_unique<PathFilter>(core, job.paths, camera.eye(), job.seed);
+    if (job.estimator == Estimator::kSplit) split_ = std::make_unique<SplitPaths>(core, job);
     filterPathsOfThisThread(filter_.get());
   }
   ~PixelRenderer() { filterPathsOfThisThread(nullptr); }
@@ -47,12 +56,16 @@ class PixelRenderer {
   Colour render(int i, int j, std::uint64_t firstRay, std::uint32_t rays) {
     sampler_->startPixel(i, j, firstRay);
     if (filter_) filter_->startPixel(i, j, firstRay);
+    if (split_) split_->startPixel(i, j, firstRay);
     switch (job_.estimator) {
       case Estimator::kWarmUp:
-        return meanOf(i, j, rays, [&](const Ray& ray) { return warmUp(ray); });
+        return meanOf(i, j, rays, [&](const Ray& ray, int) { return warmUp(ray); });
       case Estimator::kMis:
         return meanOf(i, j, rays,
-                      [&](const Ray& ray) { return scene_.tracePathMIS(ray, *sampler_); });
+                      [&](const Ray& ray, int) { return scene_.tracePathMIS(ray, *sampler_); });
+      case Estimator::kSplit:
+        return meanOf(i, j, rays,
+                      [&](const Ray& ray, int m) { return split_->radiance(ray, m, *sampler_); });
       default:
         return scene_.renderPixel(i, j, camera_, static_cast<int>(rays), *sampler_);
     }
@@ -63,12 +76,12 @@ class PixelRenderer {
   template <class Radiance>
   Colour meanOf(int i, int j, std::uint32_t rays, Radiance radiance) {
     glm::dvec3 sum(0.0);
-    for (std::uint32_t m = 0; m < rays; ++m) {
-      sampler_->startRay(static_cast<int>(m));
-      const vec2 film = vec2(i, j) + sampler_->next2D();
+    for (int m = 0; m < static_cast<int>(rays); ++m) {
+      sampler_->startRay(m);
+      const vec2 film = vec2(i, j) + placeInPixel(m, static_cast<int>(rays), sampler_->next2D());
       const Vector direction = normalize(camera_.topLeft() + film.x * camera_.pixelRight() +
                                          film.y * camera_.pixelDown());
-      sum += radiance(Ray{camera_.eye(), direction});
+      sum += radiance(Ray{camera_.eye(), direction}, m);
     }
     return sum / static_cast<double>(rays);
   }
@@ -86,6 +99,7 @@ class PixelRenderer {
   std::unique_ptr<PixelSampler> sampler_;
   std::vector<Triangle> warmUp_;
   std::unique_ptr<PathFilter> filter_;  // null: all light is let through
+  std::unique_ptr<SplitPaths> split_;   // null: no paths are split
 };
 
 // Adds a pass of a pixel to the film, unless it is no radiance.

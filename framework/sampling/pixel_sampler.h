@@ -23,6 +23,12 @@ class PixelSampler : public Sampler {
   // multiple of the rays per pass.
   virtual void startPixel(int i, int j, std::uint64_t raysBefore) = 0;
 
+  // In place of startRay(m), for a path that needs no place on the film.
+  virtual void startPath(int m) {
+    startRay(m);
+    next2D();
+  }
+
  protected:
   // A number that pixels and seeds do not share.
   static std::uint64_t pixelKey(std::uint64_t seed, int i, int j) {

@@ -33,12 +33,13 @@ void SobolSampler::startPixel(int i, int j, std::uint64_t raysBefore) {
   pairsOfSingles_.made.clear();
   raysBefore_ = raysBefore;
   passBefore_ = static_cast<std::uint32_t>(raysBefore / raysPerPass_);
-  makeFilmPoints(passBefore_);
-  startRay(0);
+  hasFilmPoints_ = false;
+  startPath(0);
 }
 
 void SobolSampler::makeFilmPoints(std::uint32_t pass) {
   filmPass_ = pass;
+  hasFilmPoints_ = true;
   for (std::uint32_t m = 0; m < raysPerPass_; m += kSobolLanes)
     makeSobolPoint(makeSobolKeys(filmKey_, m), pass, &filmX_[m], &filmY_[m]);
 }
@@ -50,8 +51,15 @@ void SobolSampler::startRay(int m) {
     pass += rayOfPass / raysPerPass_;
     rayOfPass %= raysPerPass_;
   }
-  if (pass != filmPass_) makeFilmPoints(pass);
+  if (!hasFilmPoints_ || pass != filmPass_) makeFilmPoints(pass);
 
+  startPath(m);
+  nextPair_ = kBlock - 1;
+  pairsX_[nextPair_] = filmX_[rayOfPass];
+  pairsY_[nextPair_] = filmY_[rayOfPass];
+}
+
+void SobolSampler::startPath(int m) {
   ray_ = static_cast<std::uint32_t>(raysBefore_) + static_cast<std::uint32_t>(m);
   if (const std::uint32_t group = ray_ >> groupBits_; group != group_) {
     group_ = group;
@@ -59,10 +67,7 @@ void SobolSampler::startRay(int m) {
     pairsOfSingles_.made.clear();
   }
   pairs_.next = pairsOfSingles_.next = 0;
-  nextSingle_ = kBlock;
-  nextPair_ = kBlock - 1;
-  pairsX_[nextPair_] = filmX_[rayOfPass];
-  pairsY_[nextPair_] = filmY_[rayOfPass];
+  forgetNumbers();
 }
 
 void SobolSampler::makePoint(Family& family, float* x, float* y) {

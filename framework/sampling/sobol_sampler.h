@@ -29,6 +29,7 @@ class SobolSampler final : public PixelSampler {
 
   void startPixel(int i, int j, std::uint64_t raysBefore) override;
   void startRay(int m) override;
+  void startPath(int m) override;
 
  private:
   // Independent sequences, and those that rays of the group have used so far.
@@ -50,6 +51,7 @@ class SobolSampler final : public PixelSampler {
   std::uint32_t group_ = 0;  // of the ray
   Family pairs_, pairsOfSingles_;
   std::uint32_t passBefore_ = 0;  // that startPixel began
+  bool hasFilmPoints_ = false;    // since the pixel was begun
   std::uint32_t filmPass_ = 0;    // whose rays have these places on the film:
   std::uint64_t filmKey_ = 0;
   std::vector<float> filmX_, filmY_;

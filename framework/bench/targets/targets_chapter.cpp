@@ -37,10 +37,12 @@ start to their end.
 )";
 
 constexpr const char* kLights =
-    R"(## With the bonus parts
+    R"(## In other ways
 
-The same with multiple importance sampling ([part 8](part8_mis.md)) and with points on lights by the
-solid angle ([part 9](part9_solid_angle.md)): `bench lights`.
+The same with multiple importance sampling ([part 8](part8_mis.md)), with points on lights by the
+solid angle ([part 9](part9_solid_angle.md)), and with several paths for each camera ray, which share
+the surface that it meets first, and the direct light there or not
+([splitting](labs.md#7-splitting)): `bench lights`.
 
 )";
 

@@ -77,6 +77,21 @@ TEST_P(PixelSamplerTest, ARayHasTheSameNumbersWhateverCameBefore) {
   }
 }
 
+TEST_P(PixelSamplerTest, APathWithoutAPlaceOnTheFilmHasTheNumbersThatComeAfterIt) {
+  const auto ray = sampler(5), path = sampler(5);
+  ray->startPixel(10, 20, 128);
+  path->startPixel(10, 20, 128);
+  for (const int m : {7, 8, 0}) {
+    ray->startRay(m);
+    path->startPath(m);
+    ray->next2D();
+    for (int k = 0; k < 50; ++k) {
+      EXPECT_EQ(path->next2D(), ray->next2D());
+      EXPECT_EQ(path->next1D(), ray->next1D());
+    }
+  }
+}
+
 TEST_P(PixelSamplerTest, NumbersOfALongPathDoNotRepeat) {
   const auto points = sampler(5);
   points->startPixel(1, 2, 0);

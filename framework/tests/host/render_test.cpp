@@ -1,5 +1,6 @@
 // What a render promises whatever the coursework is.
 #include "host/render_loop.h"
+#include "host/session.h"
 #include "host/stub_report.h"
 #include "support/test_coursework_files.h"
 
@@ -159,6 +160,38 @@ TEST(Render, MisRendersWithTracePathMis) {
   const RenderedImage image =
       renderImage(*worker, settings, [](const RenderStatus&) { return true; });
   for (const float value : image.image.rgb) EXPECT_EQ(value, 0.25f);
+}
+
+TEST(Render, SplitPathsAreTracePathsWithNumbersOfTheirOwn) {
+  TestCoursework coursework;
+  coursework.setTracePath(
+      "Hit hit;\nif (!intersect(ray, hit)) return Colour(-1.0f);\n"
+      "return Colour(0.5f + 0.5f * sampler.next1D(), lights().empty() ? 0.0f : 1.0f, "
+      "hit.emission.r);");
+  const auto worker = coursework.start();
+  SceneOverrides overrides;
+  overrides.size = {8, 8};
+  worker->loadScene(loadScene(findScene("empty_furnace"), overrides).flat);
+  RenderSettings settings;
+  settings.width = settings.height = 8;
+  settings.raysPerPixel = 2;
+  settings.estimator = Estimator::kSplit;
+  settings.pathsPerRay = 4;
+  const auto goOn = [](const RenderStatus&) { return true; };
+  const RenderedImage split = renderImage(*worker, settings, goOn);
+  settings.sharesDirectLight = true;
+  const RenderedImage sharing = renderImage(*worker, settings, goOn);
+  std::set<float> numbers;
+  for (std::size_t k = 0; k < split.image.rgb.size(); k += 3) {
+    numbers.insert(split.image.rgb[k]);
+    EXPECT_EQ(split.image.rgb[k + 1], 1.0f);
+    EXPECT_EQ(split.image.rgb[k + 2], 0.5f);
+    // The path with the direct light and the mean of those that do not see it.
+    EXPECT_GE(sharing.image.rgb[k], 1.0f);
+    EXPECT_EQ(sharing.image.rgb[k + 1], 1.0f);
+    EXPECT_EQ(sharing.image.rgb[k + 2], 0.5f);
+  }
+  EXPECT_EQ(numbers.size(), 64u);
 }
 
 TEST(Render, UnwrittenFunctionsAreKnownByTheirMarkerNotTheirValue) {
