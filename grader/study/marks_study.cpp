@@ -94,7 +94,7 @@ std::string words(const Points& p) {
 
 bool VariantMarks::asItMustBe() const {
   return !toReview && correctness.outOf > 0.0 && correctness.all() &&
-         (efficiency.all() || !variant.lessEfficient.empty());
+         (part.all() || !variant.lessEfficient.empty());
 }
 
 rubric::Rubric withBonusParts(rubric::Rubric rubric) {
@@ -156,7 +156,7 @@ MarksReport reportMarks(const std::vector<VariantMarks>& marks) {
   report.text = fmt::format("{:<44} {:>5} {:>14} {:>14} {:>14}\n", "correct", "seed", "correctness",
                             "efficiency", "part");
   for (const VariantMarks& m : marks) {
-    const bool good = m.asItMustBe(), all = m.correctness.all() && m.efficiency.all();
+    const bool good = m.asItMustBe(), all = m.correctness.all() && m.part.all();
     report.asItMustBe = report.asItMustBe && good;
     full += all ? 1 : 0;
     onPurpose += good && !all ? 1 : 0;

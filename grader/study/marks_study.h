@@ -29,7 +29,7 @@ struct VariantMarks {
   std::uint64_t seed = 0;
   Points correctness;  // of the functions
   Points efficiency;
-  Points part;                       // of both, rounded as the rubric says
+  Points part;                       // of both, rounded as the rubric says: what is given
   std::vector<std::string> reasons;  // for each that is lost, and what a person should look at
   bool toReview = false;             // a person should: what is correct gives no cause for it
 

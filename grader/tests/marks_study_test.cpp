@@ -72,6 +72,15 @@ TEST(VariantMarks, ThatLoseEfficiencyMustDoSoOnPurpose) {
   EXPECT_TRUE(reportMarks({meant}).asItMustBe);
 }
 
+// A quarter of the one point for part 6's efficiency, where points are multiples of a half.
+TEST(VariantMarks, ThatRoundingGivesBackAreNotLost) {
+  const VariantMarks marks =
+      marksOf(variantNamed("part6_largest_channel"), recordOf(6, kLess), worth());
+  EXPECT_FALSE(marks.efficiency.all());
+  EXPECT_TRUE(marks.part.all());
+  EXPECT_TRUE(marks.asItMustBe());
+}
+
 TEST(VariantMarks, ThatLoseCorrectnessAreNeverAsTheyMustBe) {
   Variant variant = variantNamed("part3_own_frame");
   variant.lessEfficient = "it is uniform";
