@@ -8,8 +8,10 @@
 #include "host/options.h"
 #include "host/progress_bar.h"
 #include "host/session.h"
+#include "rubric/rubric.h"
 #include "study/diagnosis_study.h"
 #include "study/kill_table.h"
+#include "study/marks_study.h"
 #include "study/study.h"
 #include "study/study_report.h"
 #include "worker/contract.h"
@@ -35,11 +37,12 @@ namespace {
 
 struct StudyArguments {
   std::vector<std::string> what;
-  int seeds = 20;
+  int seeds = 0;  // 0: as many as are usual
   unsigned threads = 0;
   bool images = false;
   bool catalogue = false;
   bool diagnosis = false;
+  bool marks = false;
   std::string handout;
   std::string log = (fs::path(build::kBuildFolder) / "study/records.jsonl").string();
 };
@@ -49,6 +52,12 @@ constexpr const char* kSlight = "slight";
 
 // Files that are tried on the diagnosis: with a mistake and a difference, and with two mistakes.
 constexpr std::size_t kMostFiles = 90;
+
+// Checks are tried under many seeds. Marks are of one for each variant by default: they follow from
+// the checks, and from pictures whose intervals allow for noise.
+int seedsOf(const StudyArguments& arguments) {
+  return arguments.seeds != 0 ? arguments.seeds : arguments.marks ? 1 : 20;
+}
 
 bool isSlight(const Variant& variant) { return variant.name.find("_slight_") != std::string::npos; }
 
@@ -72,7 +81,7 @@ std::vector<Variant> variantsOf(const StudyArguments& arguments) {
   std::vector<std::string> known{"solutions", "correct", "wrong", kSlight};
   for (const Variant& variant : allVariants()) {
     known.push_back(variant.name);
-    if (arguments.images && variant.wrong) continue;
+    if ((arguments.images || arguments.marks) && variant.wrong) continue;
     if (asked(variant.wrong ? "wrong" : "correct") || asked(variant.name) ||
         (isSlight(variant) && asked(kSlight)))
       wanted.push_back(variant);
@@ -123,7 +132,7 @@ std::vector<study::StudyRecord> runSubjects(const StudyArguments& arguments,
     return !interrupted();
   };
   std::vector<study::StudyRecord> records =
-      study::runStudy(subjects, arguments.seeds, threadsOf(arguments), log, goOn);
+      study::runStudy(subjects, seedsOf(arguments), threadsOf(arguments), log, goOn);
   progress.clear();
   return records;
 }
@@ -157,6 +166,31 @@ int makeCatalogue(const StudyArguments& arguments) {
   return kSuccess;
 }
 
+int runMarks(const StudyArguments& arguments) {
+  const std::vector<Variant> variants = variantsOf(arguments);
+  if (variants.empty()) throw UsageError("--marks are of what is correct but different.");
+  study::MarksOptions options;
+  options.seeds = seedsOf(arguments);
+  options.threads = threadsOf(arguments);
+  options.folder = fs::path(arguments.log).replace_extension(".marks");
+  ProgressBar progress("marks");
+  const std::vector<study::VariantMarks> marks = study::markVariants(
+      variants, study::withBonusParts(rubric::readRubric(rubric::defaultRubric())), options,
+      [&](std::size_t done, std::size_t all) {
+        progress.show(static_cast<double>(done) / static_cast<double>(all),
+                      fmt::format("{} of {} variants are marked", done, all));
+        return !interrupted();
+      });
+  progress.clear();
+  const study::MarksReport report = study::reportMarks(marks);
+  fmt::print("{}", report.text);
+  if (interrupted()) {
+    fmt::print(stderr, "Interrupted; the same command goes on from here.\n");
+    return kInterrupted;
+  }
+  return report.asItMustBe ? kSuccess : kCourseworkFault;
+}
+
 study::DiagnosisReport runDiagnosis(const StudyArguments& arguments,
                                     const std::vector<study::StudySubject>& subjects) {
   const diagnosis::Catalogue catalogue = diagnosis::readCatalogue(diagnosis::catalogueFile());
@@ -174,6 +208,7 @@ study::DiagnosisReport runDiagnosis(const StudyArguments& arguments,
 
 int runStudyCommand(const StudyArguments& arguments) {
   if (arguments.catalogue) return makeCatalogue(arguments);
+  if (arguments.marks) return runMarks(arguments);
   const std::vector<study::StudySubject> subjects = subjectsOf(arguments);
   const std::vector<study::StudyRecord> records = runSubjects(arguments, subjects);
   const bool diagnose = arguments.diagnosis || !arguments.handout.empty();
@@ -204,8 +239,9 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
                    "solutions, correct, wrong, slight (small errors), or names of "
                    "variants; all by default")
       ->type_name("SUBJECT");
-  takesWholeNumber(command->add_option("--seeds", arguments->seeds, "Seeds for each (20)"), 1,
-                   1000000);
+  takesWholeNumber(
+      command->add_option("--seeds", arguments->seeds, "Seeds for each (20; 1 with --marks)"), 1,
+      1000000);
   takesWholeNumber(command->add_option("--threads", arguments->threads,
                                        "Runs at the same time; one for each processor by default"),
                    1, 1024);
@@ -214,6 +250,8 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
                     "Measure the known mistakes anew, for grader/diagnosis/catalogue.json");
   command->add_flag("--diagnosis", arguments->diagnosis,
                     "How often the right mistake is named, and how often a wrong one");
+  command->add_flag("--marks", arguments->marks,
+                    "The marks of what is correct, by the rubric, instead of the checks alone");
   command
       ->add_option("--handout", arguments->handout,
                    "Write the chapter of known mistakes, with --diagnosis")
@@ -231,9 +269,12 @@ void addStudyCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark study solutions --images --seeds 200\n"
       "  ./pathmark study wrong --seeds 1\n"
       "  ./pathmark study slight --seeds 1000         (how often small errors are found)\n"
+      "  ./pathmark study --marks                     (does all that is correct get full marks?)\n"
+      "  ./pathmark study part3_uniform_hemisphere --marks --seeds 10\n"
       "  ./pathmark study --catalogue                 (after a change of variants or probes)\n\n"
-      "Exit code: 0 if all that is right passed, all that is wrong was found, and the diagnosis is "
-      "as good as it must be; 1 if not, 130 if interrupted.");
+      "Exit code: 0 if all that is right passed, all that is wrong was found by the check that it "
+      "names, the diagnosis is as good as it must be, and no marks were lost that should not be; 1 "
+      "if not, 130 if interrupted.");
   command->callback(
       [arguments, &action] { action = [arguments] { return runStudyCommand(*arguments); }; });
 }

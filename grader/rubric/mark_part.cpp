@@ -117,7 +117,7 @@ MarkLine PartMarker::markFunction(const FunctionContract& contract, double outOf
 // An estimator of something else may well be less noisy: efficiency counts as far as the part is
 // right.
 MarkLine PartMarker::markEfficiency(const std::vector<MarkLine>& functions) const {
-  MarkLine line{"efficiency", 0.0, worth.efficiency, {}};
+  MarkLine line{kEfficiencyLine, 0.0, worth.efficiency, {}};
   double points = 0.0, outOf = 0.0;
   for (const MarkLine& function : functions) points += function.points, outOf += function.outOf;
   const double right = points == outOf ? 1.0 : points / outOf;

@@ -42,7 +42,7 @@ void addUp(PartMarks& marks, double outOf, double step) {
   if (all || step == 0.0) return;
   marks.points = std::min(std::round(sum / step) * step, outOf);
   if (std::abs(marks.points - sum) > 1e-9)
-    marks.lines.push_back({"rounding", marks.points - sum, 0.0,
+    marks.lines.push_back({kRoundingLine, marks.points - sum, 0.0,
                            fmt::format("the points of a part are multiples of {:g}", step)});
 }
 

@@ -10,6 +10,10 @@
 
 namespace pathmark::rubric {
 
+// What the lines are called that are of no function.
+inline constexpr const char* kEfficiencyLine = "efficiency";
+inline constexpr const char* kRoundingLine = "rounding";
+
 struct MarkLine {
   std::string what;  // "3.3 lambertianBRDF::reflection", "efficiency"
   double points = 0.0, outOf = 0.0;

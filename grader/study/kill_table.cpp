@@ -11,32 +11,17 @@ namespace pathmark::study {
 
 namespace {
 
-std::string sectionOf(const std::string& function) {
-  for (const FunctionContract& f : contract())
-    if (f.name == function) return std::string(f.section);
-  return {};
-}
-
-std::string mostOften(const std::map<std::string, int>& counts) {
-  std::string best;
-  int most = 0;
-  for (const auto& [id, count] : counts)
-    if (count > most) {
-      most = count;
-      best = id;
-    }
-  return best;
-}
-
-void note(const StudyRecord& record, const std::string& section, KillRow& row) {
+void note(const StudyRecord& record, KillRow& row) {
   ++row.seeds;
   row.seconds += record.checkSeconds;
   row.calls = std::max(row.calls, record.calls);
   if (record.failed.empty()) return;
-  const std::string& first = record.failed.front();
   ++row.found;
-  ++row.checks[first];
-  if (!first.starts_with(section + "/")) ++row.elsewhere;
+  const auto its = std::find(record.failed.begin(), record.failed.end(), row.variant.check);
+  if (its != record.failed.end())
+    ++row.byItsCheck;
+  else
+    ++row.byOthers[record.failed.front()];
   if (record.seed == 1) {
     row.distance = record.distance;
     row.farthest = record.farthest;
@@ -59,17 +44,19 @@ std::string namedWords(const KillRow& row) {
   return words;
 }
 
+// "0.7/plates", or "0.7/plates (18 of 20; 0.7/light, 2)" where others found it.
 std::string checkWords(const KillRow& row) {
-  std::string words = mostOften(row.checks);
-  if (row.checks.size() > 1) words += fmt::format(" ({} of {})", row.checks.at(words), row.found);
-  return words;
+  if (row.byItsCheck == row.seeds) return row.variant.check;
+  std::string words = fmt::format("{} ({} of {}", row.variant.check, row.byItsCheck, row.seeds);
+  for (const auto& [id, count] : row.byOthers) words += fmt::format("; {}, {}", id, count);
+  return words + ")";
 }
 
 std::string distanceWords(const KillRow& row) {
   if (row.distance == 0.0) return "exact";
   const std::string words = row.distance < 99.5 ? fmt::format("{:.1f}", row.distance)
                                                 : fmt::format("{:.0f}", row.distance);
-  return row.checks.contains(row.farthest) ? words : fmt::format("{} ({})", words, row.farthest);
+  return row.farthest == row.variant.check ? words : fmt::format("{} ({})", words, row.farthest);
 }
 
 }  // namespace
@@ -78,7 +65,7 @@ std::string distanceWords(const KillRow& row) {
 // show where its promise just holds.
 bool KillRow::asItMustBe() const {
   const bool clear = distance == 0.0 || distance >= 2.0;
-  return seeds > 0 && found == seeds && elsewhere == 0 && clear;
+  return seeds > 0 && byItsCheck == seeds && clear;
 }
 
 std::vector<KillRow> killTable(const std::vector<StudySubject>& subjects,
@@ -89,9 +76,8 @@ std::vector<KillRow> killTable(const std::vector<StudySubject>& subjects,
     if (!subject.variant || !subject.variant->wrong) continue;
     KillRow row;
     row.variant = *subject.variant;
-    const std::string section = sectionOf(row.variant.function);
     for (const StudyRecord& record : records)
-      if (record.subject == subject.name) note(record, section, row);
+      if (record.subject == subject.name) note(record, row);
     if (row.seeds == 0) continue;
     row.seconds /= row.seeds;
     for (const auto* cases : {&diagnosis.single, &diagnosis.disguised})
@@ -104,7 +90,7 @@ std::vector<KillRow> killTable(const std::vector<StudySubject>& subjects,
 
 std::string asText(const std::vector<KillRow>& rows) {
   std::string text = fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8} {:>20}  {}\n", "mistake", "found",
-                                 "first by", "calls", "ms", "deltas", "diagnosis");
+                                 "its check", "calls", "ms", "deltas", "diagnosis");
   for (const KillRow& row : rows)
     text += fmt::format("{:<44} {:<8} {:<32} {:>9} {:>8.1f} {:>20}  {}{}\n", row.variant.name,
                         fmt::format("{}/{}", row.found, row.seeds), checkWords(row), row.calls,
@@ -122,16 +108,19 @@ std::string asChapter(const std::vector<KillRow>& rows, const std::vector<StudyS
       "For instructors; not part of what students receive. `./pathmark study --handout "
       "handouts/mistakes.md` makes\nthis chapter anew; its times are those of the machine on "
       "which that was done last.\n\n"
-      "`grader/variants/wrong/` has {} mistakes, each a small patch against the solutions. Under "
-      "each of {} seeds, each\nof them fails a check of the function that it is in. No other part "
-      "can fail with it: a part is checked in a\nprogram that has that part alone and stand-ins "
-      "for the others, so the programs of the other parts are\nthose of the solutions, byte for "
-      "byte, which pass.\n\n"
-      "* **first by**: the check that fails first, in the order in which they are run.\n"
+      "`grader/variants/wrong/` has {} mistakes, each a small patch against the solutions, which "
+      "names "
+      "the check that must\nfind it. Under each of {} seeds it does. No other part can fail with "
+      "the "
+      "mistake: a part is checked in a program\nthat has that part alone and stand-ins for the "
+      "others, so the programs of the other parts are those of the\nsolutions, byte for byte, "
+      "which "
+      "pass.\n\n"
+      "* **check**: the one that must find the mistake, and does, under each seed.\n"
       "* **calls**, **ms**: of that check: of the coursework's functions, and its time.\n"
       "* **deltas**: how far from right the mistake is, in the smallest errors that a check "
       "promises to find, under the\n  first seed; in the check that finds it farthest, which is "
-      "named where it is not the first. *exact*: of a\n  check without statistics.\n"
+      "named where it is another. *exact*: of a\n  check without statistics.\n"
       "* **named**: how often the diagnosis named the mistake: by itself with random numbers that "
       "are not those of\n  the catalogue, and in files that also differ from the solutions where "
       "they may.\n",
@@ -142,12 +131,12 @@ std::string asChapter(const std::vector<KillRow>& rows, const std::vector<StudyS
       if (row.variant.part != part.part) continue;
       if (!any)
         text += fmt::format(
-            "\n## Part {}: {}\n\n| mistake | function | first by | calls | ms | deltas | named "
+            "\n## Part {}: {}\n\n| mistake | function | check | calls | ms | deltas | named "
             "|\n|---|---|---|---:|---:|---:|---|\n",
             part.part, part.title);
       any = true;
       text += fmt::format("| `{}`: {} | `{}` | `{}` | {} | {:.1f} | {} | {} |\n", row.variant.name,
-                          row.variant.what, row.variant.function, mostOften(row.checks), row.calls,
+                          row.variant.what, row.variant.function, checkWords(row), row.calls,
                           1000.0 * row.seconds, distanceWords(row), namedWords(row));
     }
   }

@@ -1,5 +1,5 @@
-// The kill table: which check finds which mistake, after how many calls, how far from right, and
-// whether the diagnosis names it.
+// The kill table: whether the check that a mistake names finds it, after how many calls, how far
+// from right it is, and whether the diagnosis names it.
 //
 //   KillRow     one mistake
 //   killTable   all of them
@@ -17,14 +17,14 @@ namespace pathmark::study {
 
 struct KillRow {
   Variant variant;
-  int seeds = 0, found = 0;           // under how many of the seeds a check failed
-  int elsewhere = 0;                  // and that of another function than the one that is named
-  std::map<std::string, int> checks;  // those that failed first, with how many seeds
-  std::uint64_t calls = 0;            // of that check, at most over the seeds
-  double seconds = 0.0;               // that it took, mean
-  double distance = 0.0;              // from right, in a check's deltas, largest; 0: exact
-  std::string farthest;               // the check
-  std::vector<NamedCase> named;       // by itself with other random numbers, then in disguise
+  int seeds = 0, found = 0;             // under how many of the seeds a check failed
+  int byItsCheck = 0;                   // and that the one that must find it
+  std::map<std::string, int> byOthers;  // where it did not: what failed first, with how many seeds
+  std::uint64_t calls = 0;              // of its check, at most over the seeds
+  double seconds = 0.0;                 // that it took, mean
+  double distance = 0.0;                // from right, in a check's deltas, largest; 0: exact
+  std::string farthest;                 // the check
+  std::vector<NamedCase> named;         // by itself with other random numbers, then in disguise
 
   bool asItMustBe() const;
 };

@@ -30,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 std::string keyOf(const StudySubject& subject) {
   std::string text = programHash() + subject.name + (subject.selection.images ? " images " : " ") +
                      subject.selection.only;
+  if (subject.variant) text += " " + subject.variant->check;
   for (const CourseworkFunction f : subject.selection.functions)
     text += fmt::format(" {}", contractOf(f).section);
   for (const PartBuild& part : subject.build.parts) text += part.object.filename().string();
@@ -58,10 +59,10 @@ bool isFarther(const checks::CheckResult& result, const StudyRecord& record) {
   return result.check->delta == 0.0 || result.finding.distance > record.distance;
 }
 
-void note(const checks::CheckResult& result, StudyRecord& record) {
+void note(const checks::CheckResult& result, const std::string& named, StudyRecord& record) {
   const checks::Status status = result.finding.status;
   const bool failed = status == checks::Status::kFail || status == checks::Status::kBroken;
-  if (failed && record.failed.empty()) {
+  if (failed && (record.failed.empty() || idOf(*result.check) == named)) {
     record.cause = result.finding.cause;
     record.calls = result.finding.calls;
     record.checkSeconds = result.seconds;
@@ -93,48 +94,29 @@ StudyRecord runOnce(const StudySubject& subject, std::uint64_t seed,
   record.seed = seed;
   record.statistics = results.statistics;
   record.seconds = results.seconds;
+  const std::string named = subject.variant ? subject.variant->check : "";
   for (const checks::PartResult& part : results.parts) {
     if (!part.failure.empty()) record.failed.push_back(fmt::format("part {}", part.part.part));
     for (const checks::FunctionResult& f : part.functions)
-      for (const checks::CheckResult& r : f.checks) note(r, record);
+      for (const checks::CheckResult& r : f.checks) note(r, named, record);
   }
-  for (const checks::CheckResult& r : results.images) note(r, record);
+  for (const checks::CheckResult& r : results.images) note(r, named, record);
   return record;
 }
 
-// How far off a mistake is takes all checks. That it is found under other seeds too takes one: the
-// one that found it first, where that is known.
-StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed, const std::string& finder) {
+// How far off a mistake is takes all checks. That the check that it names finds it under other
+// seeds too takes that one; where it does not, some other may.
+StudyRecord makeRecord(const StudySubject& subject, std::uint64_t seed) {
   const bool quick = seed != 1 && subject.variant && subject.variant->wrong;
-  if (quick && !finder.empty()) {
+  if (quick && !subject.variant->check.empty()) {
     checks::Selection selection = subject.selection;
-    selection.only = finder;
+    selection.only = subject.variant->check;
     selection.functions = {functionNamed(subject.variant->function)};
     StudyRecord record = runOnce(subject, seed, selection, true);
     if (!record.failed.empty()) return record;
   }
   return runOnce(subject, seed, subject.selection, quick);
 }
-
-// The check that finds each subject's mistake. May be used by several threads.
-class Finders {
- public:
-  std::string of(const std::string& key) const {
-    const std::lock_guard lock(mutex_);
-    const auto known = first_.find(key);
-    return known == first_.end() ? std::string() : known->second;
-  }
-
-  void note(const std::string& key, const StudyRecord& record) {
-    const std::lock_guard lock(mutex_);
-    if (!record.failed.empty() && record.failed.front().find('/') != std::string::npos)
-      first_.try_emplace(key, record.failed.front());
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::map<std::string, std::string> first_;
-};
 
 }  // namespace
 
@@ -225,9 +207,6 @@ std::vector<StudyRecord> runStudy(const std::vector<StudySubject>& subjects, int
       jobs.push_back({&subject, key, number, log.find(key, number)});
     }
   }
-  Finders finders;
-  for (const Job& job : jobs)
-    if (job.record) finders.note(job.key, *job.record);
   const auto known = static_cast<std::size_t>(
       std::count_if(jobs.begin(), jobs.end(), [](const Job& j) { return j.record.has_value(); }));
   std::atomic<std::size_t> next{0}, made{0};
@@ -244,8 +223,7 @@ std::vector<StudyRecord> runStudy(const std::vector<StudySubject>& subjects, int
         const auto left = static_cast<double>(jobs.size() - known) - done;
         if (!goOn({known + made, jobs.size(), done > 0.0 ? seconds / done * left : 0.0})) return;
       }
-      job.record = makeRecord(*job.subject, job.seed, finders.of(job.key));
-      finders.note(job.key, *job.record);
+      job.record = makeRecord(*job.subject, job.seed);
       log.add(job.key, *job.record);
       ++made;
     }

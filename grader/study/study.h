@@ -33,9 +33,10 @@ struct StudyRecord {
   std::uint64_t seed = 0;
   std::vector<std::string> failed;  // ids of checks that failed or broke, in their order
   std::vector<std::string> undecided;
-  std::string cause;          // that the first of them gives
-  std::uint64_t calls = 0;    // that the first of them made
-  double checkSeconds = 0.0;  // and took
+  // Of the check that must find the mistake; where that did not fail, of the first that did.
+  std::string cause;
+  std::uint64_t calls = 0;
+  double checkSeconds = 0.0;
   // The largest distance from what is right, in the smallest errors that a check finds, and the
   // check; 0 where one without statistics failed.
   double distance = 0.0;

@@ -101,12 +101,49 @@ TEST(VariantHead, IsRead) {
   const TemporaryFolder folder;
   const Variant variant = readVariant(write(folder / "part3_x.patch",
                                             "Mistake: f = Kd: pi is forgotten\nPart: 3\n"
-                                            "Function: lambertianBRDF::brdf\n\n--- a/x\n"));
+                                            "Function: lambertianBRDF::brdf\n"
+                                            "Check: 3.1/value\n\n--- a/x\n"));
   EXPECT_EQ(variant.name, "part3_x");
   EXPECT_TRUE(variant.wrong);
   EXPECT_EQ(variant.what, "f = Kd: pi is forgotten");
   EXPECT_EQ(variant.part, 3);
   EXPECT_EQ(variant.function, "lambertianBRDF::brdf");
+  EXPECT_EQ(variant.check, "3.1/value");
+  EXPECT_EQ(variant.lessEfficient, "");
+}
+
+TEST(VariantHead, SaysWhyItIsLessEfficient) {
+  const TemporaryFolder folder;
+  const Variant variant = readVariant(write(folder / "part3_x.patch",
+                                            "Different: uniform\nPart: 3\n"
+                                            "Efficiency: less, because it is uniform\n\n"));
+  EXPECT_FALSE(variant.wrong);
+  EXPECT_EQ(variant.lessEfficient, "it is uniform");
+}
+
+std::string refusalOf(const fs::path& patch) {
+  try {
+    readMistake(patch);
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return {};
+}
+
+TEST(VariantHead, OfAMistakeNamesACheckOfItsFunction) {
+  const TemporaryFolder folder;
+  const std::string head = "Mistake: a\nPart: 3\nFunction: lambertianBRDF::brdf\n";
+  const std::string none = refusalOf(write(folder / "part3_none.patch", head + "\n"));
+  EXPECT_NE(none.find("part3_none.patch: the head must name the check"), std::string::npos) << none;
+  for (const std::string check : {"3.1/colour", "3.3/samples", "value"}) {
+    const std::string text =
+        refusalOf(write(folder / "part3_x.patch", head + "Check: " + check + "\n\n"));
+    EXPECT_NE(text.find(check + " is no check of lambertianBRDF::brdf; those are 3.1/"),
+              std::string::npos)
+        << text;
+  }
+  EXPECT_EQ(readMistake(write(folder / "part3_x.patch", head + "Check: 3.1/value\n\n")).check,
+            "3.1/value");
 }
 
 TEST(VariantHead, ThatIsNotAsItMustBeIsRefused) {
@@ -119,11 +156,15 @@ TEST(VariantHead, ThatIsNotAsItMustBeIsRefused) {
            "Different: a\nPart: 3\nFunction: lambertianBRDF::brdf\n\n",              // a function
            "Mistake: a\nPart: 4\nFunction: lambertianBRDF::brdf\n\n",                // another part
            "Mistake: a\nPart: 3\nFunction: lambertianBRDF::value\n\n",               // no such one
-           "Different: a\nPart: 7\n\n",                                              // no such part
-           "Different: a\nPart: 3\nPart: 3\n\n",                                     // twice
-           "Different: a\nPart: 3\nWhy: b\n\n",                                      // unknown
-           "Different: a\nPart: 3",                                                  // no diff
-           "--- a/part3_lambertian.cpp\n\n",                                         // no head
+           "Different: a\nPart: 3\nCheck: 3.1/value\n\n",                            // a check
+           "Different: a\nPart: 3\nEfficiency: less\n\n",                            // no reason
+           "Mistake: a\nPart: 3\nFunction: lambertianBRDF::brdf\n"
+           "Efficiency: less, because b\n\n",     // of a mistake
+           "Different: a\nPart: 7\n\n",           // no such part
+           "Different: a\nPart: 3\nPart: 3\n\n",  // twice
+           "Different: a\nPart: 3\nWhy: b\n\n",   // unknown
+           "Different: a\nPart: 3",               // no diff
+           "--- a/part3_lambertian.cpp\n\n",      // no head
        }) {
     EXPECT_THROW(readVariant(write(folder / "head.patch", head)), std::runtime_error) << head;
   }

@@ -1,11 +1,13 @@
 #include "variants/variant.h"
 
+#include "checks/all_checks.h"
 #include "host/build_config.h"
 #include "host/display_path.h"
 #include "host/subprocess.h"
 #include "worker/contract.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -56,10 +58,34 @@ const FunctionContract* findFunction(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::vector<Variant> variantsIn(const fs::path& folder) {
+std::vector<std::string> checksOf(const FunctionContract& function) {
+  std::vector<std::string> ids;
+  for (const checks::Check& check : checks::checksOfPart(function.part))
+    if (check.function == function.function) ids.push_back(idOf(check));
+  return ids;
+}
+
+std::string checkNamed(const std::string& id, const FunctionContract& function,
+                       const fs::path& patch) {
+  const std::vector<std::string> ids = checksOf(function);
+  if (!id.empty() && std::find(ids.begin(), ids.end(), id) == ids.end())
+    refuse(patch, fmt::format("{} is no check of {}; those are {}.", id, function.name,
+                              fmt::join(ids, ", ")));
+  return id;
+}
+
+std::string whyLessEfficient(const std::string& line, const fs::path& patch) {
+  const std::string begin = "less, because ";
+  if (!line.empty() && (!line.starts_with(begin) || line.size() == begin.size()))
+    refuse(patch,
+           fmt::format("\"Efficiency: {}\" must begin with \"{}\", and say why.", line, begin));
+  return line.empty() ? line : line.substr(begin.size());
+}
+
+std::vector<Variant> variantsIn(const fs::path& folder, Variant (*read)(const fs::path&)) {
   std::vector<Variant> variants;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".patch") variants.push_back(readVariant(entry.path()));
+    if (entry.path().extension() == ".patch") variants.push_back(read(entry.path()));
   std::sort(variants.begin(), variants.end(),
             [](const Variant& a, const Variant& b) { return a.name < b.name; });
   return variants;
@@ -111,16 +137,34 @@ Variant readVariant(const fs::path& patch) {
   if (variant.wrong && (function == nullptr || function->part != variant.part))
     refuse(patch, fmt::format("{} is no function of part {}.", variant.function, variant.part));
 
+  const std::string check = take(head, "Check");
+  if (!variant.wrong && !check.empty())
+    refuse(patch, "what is different and correct has no check that must find it.");
+  if (variant.wrong) variant.check = checkNamed(check, *function, patch);
+
+  variant.lessEfficient = whyLessEfficient(take(head, "Efficiency"), patch);
+  if (variant.wrong && !variant.lessEfficient.empty())
+    refuse(patch, "a mistake has no efficiency to speak of.");
+
   if (!head.empty())
-    refuse(patch, fmt::format("\"{}\" is no line of a head; allowed are Mistake, Different, Part "
-                              "and Function.",
+    refuse(patch, fmt::format("\"{}\" is no line of a head; allowed are Mistake, Different, Part, "
+                              "Function, Check and Efficiency.",
                               head.begin()->first));
   return variant;
 }
 
+Variant readMistake(const fs::path& patch) {
+  const Variant variant = readVariant(patch);
+  if (variant.check.empty())
+    refuse(patch,
+           "the head must name the check that must find the mistake (\"Check: 3.1/value\").");
+  return variant;
+}
+
 std::vector<Variant> allVariants() {
-  std::vector<Variant> all = variantsIn(kProjectFolder / "grader/variants/wrong");
-  for (Variant& variant : variantsIn(kProjectFolder / "grader/variants/correct"))
+  const fs::path folder = kProjectFolder / "grader/variants";
+  std::vector<Variant> all = variantsIn(folder / "wrong", readMistake);
+  for (Variant& variant : variantsIn(folder / "correct", readVariant))
     all.push_back(std::move(variant));
   return all;
 }
