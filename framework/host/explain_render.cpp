@@ -30,7 +30,7 @@ PlanLine points(const RenderSettings& settings) {
 }
 
 PlanLine pathsOfRays(const RenderSettings& settings) {
-  return {"paths", fmt::format("{} for each camera ray", settings.pathsPerRay),
+  return {"camera rays", fmt::format("{} paths each", settings.pathsPerRay),
           settings.sharesDirectLight ? "they share the first surface and its direct light"
                                      : "they share the first surface"};
 }

@@ -212,6 +212,13 @@ TEST_F(CheckpointTest, SaysWhatDiffers) {
   says([](auto& i) { i.settings.paths.clear(); }, "light paths are LS+DE, not of all light");
   says([](auto& i) { i.settings.width = 4; }, "size is 3x2, not 4x2");
   says([](auto& i) { i.settings.estimator = Estimator::kWarmUp; }, "--warm-up");
+  says(
+      [](auto& i) {
+        i.settings.estimator = Estimator::kSplit;
+        i.settings.pathsPerRay = 4;
+        i.settings.sharesDirectLight = true;
+      },
+      "by tracePath, not with --split 4 --share-direct");
   says([](auto& i) { i.settings.replicates = 2; }, "4 of 128 rays per pixel, not 2 of 256");
   says([](auto& i) { i.settings.replicates = 1; }, "not 1 of 512");
   says([](auto& i) { i.settings.raysPerPixel = 1024; }, "not 4 of 256");

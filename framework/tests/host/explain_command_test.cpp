@@ -55,6 +55,18 @@ TEST_F(Explain, EveryShippedSceneHasAPlanAndNoPictureIsMade) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
+TEST_F(Explain, SplitPathsSayWhatTheyShare) {
+  EXPECT_EQ(lineOf(explain("cornell_box"), "camera rays"), "no such line");
+  expectLine(explain("cornell_box", {"--split", "4"}), "camera rays",
+             "4 paths each (they share the first surface)");
+  expectLine(explain("cornell_box", {"--split", "64", "--share-direct"}), "camera rays",
+             "64 paths each (they share the first surface and its direct light)");
+  expectSays(explain("cornell_box", {"--split", "65"}), 2, "--split");
+  expectSays(explain("cornell_box", {"--share-direct"}), 2, "--split");
+  expectSays(explain("cornell_box", {"--split", "4", "--mis"}), 2, "--mis");
+  expectSays(explain("cornell_box", {"--split", "4", "--warm-up"}), 2, "--warm-up");
+}
+
 TEST_F(Explain, TheCornellBoxIsAFlatLoopWithoutSpheresWhoseWallsCastNoShadow) {
   const ProcessResult result = explain("cornell_box");
   expectLine(result, "triangles", "32 as 16 pairs, a flat loop");
