@@ -122,8 +122,8 @@ struct Tile {
 
   // Of the image, row by row.
   std::size_t index(int imageWidth) const {
-    const int across = (imageWidth + kTileSize - 1) / kTileSize;
-    return static_cast<std::size_t>(top / kTileSize * across + left / kTileSize);
+    const auto tiles = [](int pixels) { return static_cast<std::size_t>(pixels / kTileSize); };
+    return tiles(top) * tiles(imageWidth + kTileSize - 1) + tiles(left);
   }
 };
 

@@ -19,7 +19,7 @@ SobolSampler::SobolSampler(std::uint64_t seed, std::uint32_t raysPerPass)
       raysPerPass_(raysPerPass),
       groupBits_(std::min(static_cast<std::uint32_t>(std::bit_width(raysPerPass)) - 1,
                           kLargestGroupBits)) {
-  const std::size_t padded = (raysPerPass + kSobolLanes - 1) / kSobolLanes * kSobolLanes;
+  const std::uint32_t padded = (raysPerPass + kSobolLanes - 1) / kSobolLanes * kSobolLanes;
   filmX_.resize(padded);
   filmY_.resize(padded);
 }
@@ -90,7 +90,7 @@ void SobolSampler::refillPairs() {
 }
 
 void SobolSampler::refillSingles() {
-  nextSingle_ = kBlock - 2 * kSobolLanes;
+  nextSingle_ = kBlock - std::size_t{2} * kSobolLanes;
   makePoint(pairsOfSingles_, &singles_[nextSingle_], &singles_[nextSingle_ + kSobolLanes]);
 }
 
