@@ -78,7 +78,7 @@ double parseTargetError(const std::string& text) {
 
 int renderToTarget(const Coursework& coursework, const LoadedScene& scene,
                    const AdaptiveRequest& request) {
-  constexpr std::uint64_t kLeast = AdaptiveRender::kFilms * AdaptiveRender::kPilotRays;
+  constexpr auto kLeast = std::uint64_t{AdaptiveRender::kFilms} * AdaptiveRender::kPilotRays;
   if (request.options.raysPerPixel < kLeast)
     throw UsageError(
         fmt::format("--target-error: {} rays per pixel are fewer than the {} that the error is "

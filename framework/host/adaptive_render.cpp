@@ -166,10 +166,11 @@ AdaptivePicture AdaptiveRender::picture() const {
   rendered.raysPerPixel = raysDone_ / static_cast<double>(settings_.pixels());
   if (!rendered.image.variance.empty()) result.errors = tileErrors(rendered.image);
   result.tilesAtMost = tilesAtMost_;
-  const int across = (settings_.width + kTileSize - 1) / kTileSize;
+  const auto tiles = [](int pixels) { return static_cast<std::size_t>(pixels / kTileSize); };
+  const std::size_t across = tiles(settings_.width + kTileSize - 1);
   for (int row = 0; row < settings_.height; ++row)
     for (int column = 0; column < settings_.width; ++column) {
-      const auto tile = static_cast<std::size_t>(row / kTileSize * across + column / kTileSize);
+      const std::size_t tile = tiles(row) * across + tiles(column);
       std::uint64_t rays = 0;
       for (const auto& made : made_) rays += made[tile];
       result.raysPerPixel.push_back(static_cast<float>(rays));

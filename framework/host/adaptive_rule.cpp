@@ -24,11 +24,11 @@ struct Sample {
 std::vector<TileSums> sumsOfTiles(
     int width, int height, const std::function<Sample(std::size_t pixel, int channel)>& sampleAt) {
   std::vector<TileSums> tiles(tileCount(width, height));
-  const int across = (width + kTileSize - 1) / kTileSize;
+  const auto count = [](int pixels) { return static_cast<std::size_t>(pixels / kTileSize); };
+  const std::size_t across = count(width + kTileSize - 1);
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      TileSums& tile =
-          tiles[static_cast<std::size_t>(row / kTileSize * across + column / kTileSize)];
+      TileSums& tile = tiles[count(row) * across + count(column)];
       const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                          static_cast<std::size_t>(column);
       for (int c = 0; c < 3; ++c) {

@@ -124,7 +124,7 @@ bool isPossible(const char (&paths)[kPathsText]) {
   if (rest.find_first_not_of('\0') != std::string_view::npos) return false;
   if (text.empty()) return true;
   try {
-    PathExpression{text};
+    [[maybe_unused]] const PathExpression read(text);
     return true;
   } catch (const ExpressionError&) {
     return false;

@@ -132,6 +132,7 @@ int renderOrExplain(const Coursework& coursework, const Wish& wish, const SheetA
 // Named by their scenes, by their expressions, or by both where there are several of both.
 std::vector<SheetTile> emptyTiles(const std::vector<Wish>& wishes) {
   std::vector<fs::path> files;
+  files.reserve(wishes.size());
   for (const Wish& wish : wishes) files.push_back(wish.scene);
   const bool oneScene =
       std::all_of(files.begin(), files.end(), [&](const fs::path& f) { return f == files[0]; });

@@ -75,7 +75,7 @@ std::string folderPrefix(const fs::path& folder) {
 
 // A file that a lab does not have is that of the coursework that the lab belongs to.
 fs::path sourceOf(const fs::path& folder, std::string_view file) {
-  const fs::path own = folder / file;
+  fs::path own = folder / file;
   if (fs::exists(own) || !isLab(folder)) return own;
   return labOwner(folder) / file;
 }

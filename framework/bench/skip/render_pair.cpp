@@ -6,6 +6,7 @@
 #include "host/shared_memory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include <ctime>
@@ -70,7 +71,8 @@ class Side {
 
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+  return values[static_cast<std::size_t>(
+      std::llround(share * static_cast<double>(values.size() - 1)))];
 }
 
 }  // namespace

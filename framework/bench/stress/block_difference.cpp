@@ -19,14 +19,14 @@ double relative(double difference, double value) {
 }  // namespace
 
 std::vector<double> blockSums(const Image& image) {
-  const int across = (image.width + kBlock - 1) / kBlock,
-            down = (image.height + kBlock - 1) / kBlock;
-  std::vector<double> sums(static_cast<std::size_t>(across * down));
+  const auto blocks = [](int pixels) { return static_cast<std::size_t>(pixels / kBlock); };
+  const std::size_t across = blocks(image.width + kBlock - 1),
+                    down = blocks(image.height + kBlock - 1);
+  std::vector<double> sums(across * down);
   for (int j = 0; j < image.height; ++j)
     for (int i = 0; i < image.width; ++i)
       for (const float value : image.pixel(i, j))
-        sums[static_cast<std::size_t>(j / kBlock * across + i / kBlock)] +=
-            static_cast<double>(value);
+        sums[blocks(j) * across + blocks(i)] += static_cast<double>(value);
   return sums;
 }
 

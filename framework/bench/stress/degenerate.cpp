@@ -125,10 +125,10 @@ std::function<std::string(const Image&)> sameAs(const Image& expected) {
 std::function<std::string(const Image&)> nearlyAs(const Image& expected) {
   return [&expected](const Image& image) -> std::string {
     double difference = 0.0, sum = 0.0;
-    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-      difference +=
-          std::abs(static_cast<double>(image.rgb[i]) - static_cast<double>(expected.rgb[i]));
-      sum += static_cast<double>(expected.rgb[i]);
+    auto wanted = expected.rgb.begin();
+    for (const float value : image.rgb) {
+      difference += std::abs(static_cast<double>(value) - static_cast<double>(*wanted));
+      sum += static_cast<double>(*wanted++);
     }
     return difference <= 1e-3 * sum ? "" : fmt::format("off by {:.2g} %", 100.0 * difference / sum);
   };

@@ -222,7 +222,7 @@ void askPolygons(Input& input) {
   const std::vector<vec3> concave{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {3, 3, 0}, {3, 1, 0}, {0, 1, 0}};
   CallWords pairs;
   for (const vec2& u : cornerPairs()) pairs.add(u.x, u.y);
-  const auto ask = [&](F function, std::vector<vec3> vertices,
+  const auto ask = [&](F function, const std::vector<vec3>& vertices,
                        const std::vector<std::array<int, 3>>& triangles) {
     for (const float scale : {1e-6f, 1.0f, 1e6f})
       for (const vec3& at : {vec3(0.0f), scale * vec3(50, -20, 30)}) {
