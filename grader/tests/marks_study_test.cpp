@@ -1,30 +1,21 @@
 // Marks of what is correct: which losses are as they must be, and that a variant is judged once.
 #include "study/marks_study.h"
 #include "support/test_coursework_files.h"
+#include "support/variant_named.h"
 #include "worker/contract.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <stdexcept>
 
 namespace pathmark::study {
 namespace {
 
 using record::Verdict;
 using test::TemporaryFolder;
+using test::variantNamed;
 
 const rubric::Rubric& worth() {
   static const rubric::Rubric rubric = withBonusParts(rubric::readRubric(rubric::defaultRubric()));
   return rubric;
-}
-
-Variant variantNamed(const std::string& name) {
-  const std::vector<Variant> all = allVariants();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Variant& v) { return v.name == name; });
-  if (found == all.end()) throw std::invalid_argument(name);
-  return *found;
 }
 
 // Of a submission in which all of the part is right, and as efficient as this.

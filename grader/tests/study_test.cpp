@@ -3,25 +3,17 @@
 #include "study/study.h"
 #include "study/kill_table.h"
 #include "support/test_coursework_files.h"
+#include "support/variant_named.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace pathmark::study {
 namespace {
 
 using test::TemporaryFolder;
-
-Variant variantNamed(const std::string& name) {
-  const std::vector<Variant> all = allVariants();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Variant& v) { return v.name == name; });
-  if (found == all.end()) throw std::invalid_argument(name);
-  return *found;
-}
+using test::variantNamed;
 
 std::vector<StudyRecord> run(const StudySubject& subject, int seeds, StudyLog& log, int& made) {
   made = 0;
