@@ -19,6 +19,10 @@ std::uint32_t replicatesOf(const ImageFile& file) {
   return file.image.variance.empty() ? 0 : std::max(file.origin.replicates, 2u);
 }
 
+std::uint32_t blockOf(const ImageFile& file) {
+  return std::clamp(file.origin.pixelsPerBlock, 1u, PathSharing::kMost);
+}
+
 void addDifferences(const Image& a, const Image& b, Comparison& result) {
   constexpr double kFloor = 0.01;
   double sum = 0.0, relativeSum = 0.0;
@@ -102,7 +106,8 @@ Comparison compareImages(const Image& a, const Image& b, const Replicates& repli
 }
 
 Comparison compareImages(const ImageFile& a, const ImageFile& b, const CompareSettings& settings) {
-  return compareImages(a.image, b.image, {replicatesOf(a), replicatesOf(b)}, settings);
+  return compareImages(a.image, b.image, {replicatesOf(a), replicatesOf(b), blockOf(a), blockOf(b)},
+                       settings);
 }
 
 }  // namespace pathmark

@@ -86,6 +86,8 @@ void storeOrigin(Imf::Header& header, const ImageOrigin& origin) {
   header.insert("pathmark.raysPerPixel", Imf::DoubleAttribute(origin.raysPerPixel));
   header.insert("pathmark.raysPerPass", countAttribute(origin.raysPerPass));
   header.insert("pathmark.replicates", countAttribute(origin.replicates));
+  if (origin.pixelsPerBlock != 1)
+    header.insert("pathmark.pixelsPerBlock", countAttribute(origin.pixelsPerBlock));
   header.insert("pathmark.seed", Imf::StringAttribute(fmt::format("{}", origin.seed)));
   if (!origin.sampler.empty())
     header.insert("pathmark.sampler", Imf::StringAttribute(origin.sampler));
@@ -126,6 +128,7 @@ ImageOrigin originFrom(const Imf::Header& header) {
   find<Imf::DoubleAttribute>(header, "pathmark.worstTileError", origin.worstTileError);
   origin.raysPerPass = countFrom(header, "pathmark.raysPerPass", origin.raysPerPass);
   origin.replicates = countFrom(header, "pathmark.replicates", origin.replicates);
+  origin.pixelsPerBlock = countFrom(header, "pathmark.pixelsPerBlock", origin.pixelsPerBlock);
   const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), origin.seed);
   if (error != std::errc{} || end != seed.data() + seed.size())
     throw ImageError(fmt::format(

@@ -22,6 +22,7 @@ struct ImageOrigin {
   double raysPerPixel = 0.0;
   std::uint32_t raysPerPass = 0;
   std::uint32_t replicates = 1;
+  std::uint32_t pixelsPerBlock = 1;  // whose paths served all of them
   std::uint64_t seed = 0;
   std::string sampler{};  // its name; empty if it is not known
   std::string paths{};    // light path expression; empty: all light, or it is not known

@@ -17,6 +17,13 @@ double degreesOf(std::uint32_t replicates) {
   return std::max(1.0, (static_cast<double>(replicates) - 1.0) / 8.0);
 }
 
+void addVariance(const Image& image, std::size_t at, std::uint32_t replicates,
+                 std::uint32_t pixelsPerBlock, stats::PooledVariance& variance) {
+  if (replicates == 0) return;
+  const double n = pixelsPerBlock;
+  variance.add(n * static_cast<double>(image.variance[at]), degreesOf(replicates) / n);
+}
+
 }  // namespace
 
 void RegionSums::add(const Image& imageA, const Image& imageB, std::size_t pixel,
@@ -28,8 +35,8 @@ void RegionSums::add(const Image& imageA, const Image& imageB, std::size_t pixel
     a[c] += valueA;
     b[c] += valueB;
     magnitude[c] += 0.5 * (std::abs(valueA) + std::abs(valueB));
-    if (replicates.a > 0) varianceA[c].add(imageA.variance[at], degreesOf(replicates.a));
-    if (replicates.b > 0) varianceB[c].add(imageB.variance[at], degreesOf(replicates.b));
+    addVariance(imageA, at, replicates.a, replicates.pixelsPerBlockOfA, varianceA[c]);
+    addVariance(imageB, at, replicates.b, replicates.pixelsPerBlockOfB, varianceB[c]);
   }
 }
 

@@ -16,9 +16,10 @@
 namespace pathmark {
 
 // Replicates with which each image's variances were estimated; 0 for an image without variances,
-// which counts as exact.
+// which counts as exact. And the pixels of its blocks whose errors may depend on each other.
 struct Replicates {
   std::uint32_t a = 0, b = 0;
+  std::uint32_t pixelsPerBlockOfA = 1, pixelsPerBlockOfB = 1;
 
   bool any() const { return a > 0 || b > 0; }
 };
@@ -54,13 +55,16 @@ struct RegionTolerance {
 // Without any variances, means differ where they are further apart than the tolerance. With them,
 // where what is beyond the tolerance is significant by Student's t.
 //
-// Assumption: the pixels' noise is independent. Student's t assumes normal noise too, and that of a
-// path tracer is skewed: where a mean is too low, so is its estimated error. Therefore a pixel of R
-// replicates counts with only max(1, (R - 1) / 8) degrees of freedom instead of R - 1. Measured
-// with exponential replicates against an exact reference (skewness 2; 1 to 1024 pixels, R from 4 to
-// 64), the rate of false alarms is then close to alpha or below for all alpha down to 1e-6; for
-// normal noise it is lower. The price is a larger critical z: with 4800 tiles of 64 pixels and
-// alpha 0.001, 6.9 instead of 5.9 for R = 4, and 6.0 instead of 5.6 for R = 16.
+// Assumption: the noise of pixels of different blocks is independent. That of n pixels of one block
+// may be the same: the variance of their sum is at most n times the sum of their variances, which
+// stands for it, and they have no more degrees of freedom than one of them. Student's t assumes
+// normal noise too, and that of a path tracer is skewed: where a mean is too low, so is its
+// estimated error. Therefore a pixel of R replicates counts with only max(1, (R - 1) / 8) degrees
+// of freedom instead of R - 1. Measured with exponential replicates against an exact reference
+// (skewness 2; 1 to 1024 pixels, R from 4 to 64), the rate of false alarms is then close to alpha
+// or below for all alpha down to 1e-6; for normal noise it is lower. The price is a larger critical
+// z: with 4800 tiles of 64 pixels and alpha 0.001, 6.9 instead of 5.9 for R = 4, and 6.0 instead
+// of 5.6 for R = 16.
 RegionResult testRegion(const RegionSums& sums, const PixelRegion& region, int channel,
                         Replicates replicates, const RegionTolerance& tolerance);
 

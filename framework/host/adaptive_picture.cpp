@@ -27,6 +27,7 @@ ImageOrigin originOf(const Coursework& coursework, const LoadedScene& scene,
   origin.raysPerPixel = picture.rendered.raysPerPixel;
   origin.raysPerPass = AdaptiveRender::kPilotRays;
   origin.replicates = AdaptiveRender::kFilms;
+  origin.pixelsPerBlock = request.options.sharing.pixels;
   origin.seed = request.options.seed;
   origin.sampler = nameOf(request.options.sampler);
   origin.paths = settingsFor(scene, request.options).paths;

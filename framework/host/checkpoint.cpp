@@ -28,12 +28,13 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::size_t kHashDigits = 32, kPathsText = PathExpression::kLongestText;
 constexpr char kMagic[8] = {'P', 'M', 'c', 'h', 'e', 'c', 'k', '\n'};
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 
 struct Header {
   char magic[8];
   std::uint32_t version = kVersion;
-  std::uint8_t estimator = 0, sampler = 0, pathsPerRay = 1, sharesDirectLight = 0;
+  std::uint8_t estimator = 0, sampler = 0, zero[2] = {0, 0};
+  PathSharing sharing;
   char scene[kHashDigits];
   char coursework[kHashDigits];
   char paths[kPathsText];  // then zeros
@@ -43,7 +44,7 @@ struct Header {
   double seconds = 0.0;
   InvalidPixels invalid;
 };
-static_assert(sizeof(Header) == 16 + 2 * kHashDigits + kPathsText + 16 + 56 + sizeof(InvalidPixels),
+static_assert(sizeof(Header) == 32 + 2 * kHashDigits + kPathsText + 16 + 56 + sizeof(InvalidPixels),
               "no padding: its bytes would be random");
 
 constexpr const char* kDamaged = "it is damaged";
@@ -70,8 +71,7 @@ Header headerOf(const CheckpointIdentity& identity, const RenderState& state) {
   identity.coursework.copy(header.coursework, kHashDigits);
   header.estimator = static_cast<std::uint8_t>(settings.estimator);
   header.sampler = static_cast<std::uint8_t>(settings.sampler);
-  header.pathsPerRay = static_cast<std::uint8_t>(settings.pathsPerRay);
-  header.sharesDirectLight = settings.sharesDirectLight ? 1 : 0;
+  header.sharing = settings.sharing;
   header.width = static_cast<std::uint32_t>(settings.width);
   header.height = static_cast<std::uint32_t>(settings.height);
   header.maxBounces = identity.maxBounces;
@@ -103,8 +103,7 @@ Checkpoint checkpointOf(const Header& header) {
   identity.settings.replicates = header.replicates;
   identity.settings.seed = header.seed;
   identity.settings.estimator = static_cast<Estimator>(header.estimator);
-  identity.settings.pathsPerRay = header.pathsPerRay;
-  identity.settings.sharesDirectLight = header.sharesDirectLight != 0;
+  identity.settings.sharing = header.sharing;
   identity.settings.sampler = static_cast<SamplerKind>(header.sampler);
   identity.settings.paths.assign(header.paths, lengthOf(header.paths));
   RenderState& state = checkpoint.state;
@@ -131,6 +130,12 @@ bool isPossible(const char (&paths)[kPathsText]) {
   }
 }
 
+bool isPossible(const PathSharing& sharing) {
+  const auto within = [](std::uint32_t value) { return value >= 1 && value <= PathSharing::kMost; };
+  return within(sharing.pathsPerRay) && sharing.directLight <= 1 && within(sharing.pixels) &&
+         std::has_single_bit(sharing.pixels) && within(sharing.directPaths);
+}
+
 // The numbers fit together, and none is so large that a calculation with it could overflow.
 bool isPossible(const Header& header) {
   constexpr std::uint32_t kLargestSide = 1u << 26;
@@ -143,9 +148,9 @@ bool isPossible(const Header& header) {
       !within(header.raysPerPixel, 1, kMostRays) ||
       !within(header.replicates, 1, header.raysPerPixel) ||
       header.raysPerPixel % header.replicates != 0 ||
-      header.estimator > static_cast<std::uint8_t>(Estimator::kSplit) ||
-      !within(header.pathsPerRay, 1, kMostPathsPerRay) || header.sharesDirectLight > 1 ||
-      header.sampler >= kSamplerNames.size() || !isPossible(header.paths))
+      header.estimator > static_cast<std::uint8_t>(Estimator::kReuse) ||
+      !isPossible(header.sharing) || header.sampler >= kSamplerNames.size() ||
+      !isPossible(header.paths))
     return false;
   const RenderSettings settings = checkpointOf(header).identity.settings;
   const std::uint64_t each = settings.raysPerReplicate();

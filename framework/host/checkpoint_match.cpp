@@ -16,9 +16,12 @@ std::string nameOfEstimator(const RenderSettings& settings) {
       return "with --warm-up";
     case Estimator::kMis:
       return "with --mis";
+    case Estimator::kReuse:
+      return fmt::format("with --reuse {} --direct-paths {}", settings.sharing.pixels,
+                         settings.sharing.directPaths);
     case Estimator::kSplit:
-      return fmt::format("with --split {}{}", settings.pathsPerRay,
-                         settings.sharesDirectLight ? " --share-direct" : "");
+      return fmt::format("with --split {}{}", settings.sharing.pathsPerRay,
+                         settings.sharing.directLight != 0 ? " --share-direct" : "");
     case Estimator::kPath:
       break;
   }

@@ -13,10 +13,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <bit>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace pathmark {
 
@@ -34,6 +37,8 @@ struct RenderArguments {
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
   int split = 1;                  // paths for each camera ray
+  int reuse = 1;                  // pixels that share their paths
+  int directPaths = 1;            // for the direct light of each of their camera rays
   bool explain = false, warmUp = false, mis = false, solidAngle = false, shareDirect = false;
   std::string targetError, rayMap;
   PictureRequest picture;
@@ -85,6 +90,19 @@ int renderToStatedError(const RenderArguments& arguments, const LoadedScene& sce
                         {arguments.output, arguments.picture.options, error, arguments.rayMap});
 }
 
+void sharePaths(const RenderArguments& arguments, RenderOptions& options) {
+  if (arguments.split > 1) {
+    options.estimator = Estimator::kSplit;
+    options.sharing.pathsPerRay = static_cast<std::uint32_t>(arguments.split);
+    options.sharing.directLight = arguments.shareDirect ? 1 : 0;
+  }
+  if (arguments.reuse > 1) {
+    options.estimator = Estimator::kReuse;
+    options.sharing.pixels = static_cast<std::uint32_t>(arguments.reuse);
+    options.sharing.directPaths = static_cast<std::uint32_t>(arguments.directPaths);
+  }
+}
+
 int render(RenderArguments& arguments) {
   if (arguments.warmUp && arguments.paths)
     throw UsageError(
@@ -100,6 +118,10 @@ int render(RenderArguments& arguments) {
   }
   if (arguments.mis && arguments.paths)
     throw UsageError("--mis and --paths: light paths are told apart only in what tracePath finds.");
+  if (arguments.reuse > 1 && arguments.paths)
+    throw UsageError(
+        "--reuse and --paths: light paths are told apart only within one path, and --reuse "
+        "connects the surfaces of two.");
   SceneOverrides overrides;
   if (!arguments.size.empty()) overrides.size = parseSize(arguments.size);
   if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
@@ -115,11 +137,7 @@ int render(RenderArguments& arguments) {
   if (arguments.paths) options.paths = findPaths(*arguments.paths);
   if (arguments.warmUp) options.estimator = Estimator::kWarmUp;
   if (arguments.mis) options.estimator = Estimator::kMis;
-  if (arguments.split > 1) {
-    options.estimator = Estimator::kSplit;
-    options.pathsPerRay = static_cast<std::uint32_t>(arguments.split);
-    options.sharesDirectLight = arguments.shareDirect;
-  }
+  sharePaths(arguments, options);
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.explain) {
@@ -177,6 +195,43 @@ void addTargetErrorOptions(CLI::App& command, RenderArguments& arguments) {
       ->type_name("FILE");
 }
 
+std::string isPowerOfTwo(const std::string& text) {
+  return std::has_single_bit(std::strtoul(text.c_str(), nullptr, 10))
+             ? ""
+             : "found " + text + ", allowed is 1, 2, 4, 8, 16, 32 or 64";
+}
+
+// Ways of tracing paths that tracePath itself knows nothing of.
+void addSharingOptions(CLI::App& command, RenderArguments& arguments,
+                       const std::vector<CLI::Option*>& otherEstimators) {
+  CLI::Option* const split =
+      command.add_option("--split", arguments.split,
+                         "Trace so many paths for each camera ray, which share the surface that "
+                         "it meets first (default: 1)");
+  takesWholeNumber(split, 1, PathSharing::kMost);
+  command
+      .add_flag("--share-direct", arguments.shareDirect,
+                "Let those paths share the direct light there, too, where the noise is from the "
+                "indirect")
+      ->needs(split);
+  CLI::Option* const reuse =
+      command.add_option("--reuse", arguments.reuse,
+                         "Let the paths of so many neighbouring pixels serve all of them: 2, 4, 8, "
+                         "16, 32 or 64 (default: 1)");
+  takesWholeNumber(reuse, 1, PathSharing::kMost);
+  reuse->check(isPowerOfTwo);
+  CLI::Option* const directPaths =
+      command.add_option("--direct-paths", arguments.directPaths,
+                         "Trace so many paths for the direct light of each camera ray, where the "
+                         "noise of --reuse is from that (default: 1)");
+  takesWholeNumber(directPaths->needs(reuse), 1, PathSharing::kMost);
+  reuse->excludes(split);
+  for (CLI::Option* const other : otherEstimators) {
+    split->excludes(other);
+    reuse->excludes(other);
+  }
+}
+
 }  // namespace
 
 void addRenderCommand(CLI::App& app, CommandAction& action) {
@@ -226,16 +281,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
           ->add_flag("--mis", arguments->mis,
                      "Render with bonus part 8's tracePathMIS in place of tracePath")
           ->excludes(warmUp);
-  CLI::Option* const split =
-      command->add_option("--split", arguments->split,
-                          "Trace so many paths for each camera ray, which share the surface that "
-                          "it meets first (default: 1)");
-  takesWholeNumber(split->excludes(warmUp)->excludes(mis), 1, kMostPathsPerRay);
-  command
-      ->add_flag("--share-direct", arguments->shareDirect,
-                 "Let those paths share the direct light there, too, where the noise is from the "
-                 "indirect")
-      ->needs(split);
+  addSharingOptions(*command, *arguments, {warmUp, mis});
   command
       ->add_flag("--solid-angle", arguments->solidAngle,
                  "Sample lights that are one triangle or rectangle by bonus part 9, by the solid "

@@ -19,6 +19,8 @@ std::string originOf(const ImageOrigin& origin) {
     parts.push_back(fmt::format("{:.6g} rays per pixel in {} replicate{}, seed {}",
                                 origin.raysPerPixel, origin.replicates,
                                 origin.replicates == 1 ? "" : "s", origin.seed));
+  if (origin.pixelsPerBlock > 1)
+    parts.push_back(fmt::format("paths shared by {} pixels", origin.pixelsPerBlock));
   if (!origin.sampler.empty())
     parts.push_back(fmt::format("sampler {}", printable(origin.sampler)));
   if (!origin.paths.empty())

@@ -2,6 +2,7 @@
 
 #include "light_paths/explain.h"
 #include "render/explain_plan.h"
+#include "render/pixel_block.h"
 #include "scene/normalise.h"
 
 #include <fmt/format.h>
@@ -30,9 +31,17 @@ PlanLine points(const RenderSettings& settings) {
 }
 
 PlanLine pathsOfRays(const RenderSettings& settings) {
-  return {"camera rays", fmt::format("{} paths each", settings.pathsPerRay),
-          settings.sharesDirectLight ? "they share the first surface and its direct light"
-                                     : "they share the first surface"};
+  return {"camera rays", fmt::format("{} paths each", settings.sharing.pathsPerRay),
+          settings.sharing.directLight != 0 ? "they share the first surface and its direct light"
+                                            : "they share the first surface"};
+}
+
+PlanLine pathsOfBlocks(const PathSharing& sharing) {
+  const PixelBlock block = blockOf(sharing.pixels);
+  std::string decision = fmt::format("shared in blocks of {}x{}", block.width, block.height);
+  if (sharing.directPaths > 1)
+    decision += fmt::format(", {} for the direct light of each camera ray", sharing.directPaths);
+  return {"paths of pixels", decision, "the errors of their pixels are not independent"};
 }
 
 PlanLine replicates(const RenderSettings& settings) {
@@ -89,6 +98,7 @@ std::string explainRender(const LoadedScene& scene, const RenderSettings& settin
     for (PlanLine& line : explainLightPaths(PathExpression(settings.paths), view))
       lines.push_back(std::move(line));
   if (settings.estimator == Estimator::kSplit) lines.push_back(pathsOfRays(settings));
+  if (settings.estimator == Estimator::kReuse) lines.push_back(pathsOfBlocks(settings.sharing));
   lines.insert(lines.end(),
                {points(settings), replicates(settings), threads(settings), coordinates(scene)});
   std::size_t width = 0;

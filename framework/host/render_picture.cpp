@@ -39,6 +39,7 @@ ImageOrigin originOf(const Coursework& coursework, const LoadedScene& scene,
   origin.raysPerPixel = rendered.raysPerPixel;
   origin.raysPerPass = settings.raysPerPass();
   origin.replicates = settings.replicates;
+  origin.pixelsPerBlock = settings.sharing.pixels;
   origin.seed = settings.seed;
   origin.sampler = nameOf(settings.sampler);
   origin.paths = settings.paths;

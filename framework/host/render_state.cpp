@@ -56,8 +56,7 @@ bool finished(const RenderSettings& settings, const RenderState& state) {
 RenderJob jobOf(const RenderSettings& settings, std::uint64_t replicate) {
   RenderJob job;
   job.estimator = settings.estimator;
-  job.pathsPerRay = settings.pathsPerRay;
-  job.sharesDirectLight = settings.sharesDirectLight ? 1 : 0;
+  job.sharing = settings.sharing;
   job.sampler = settings.sampler;
   job.paths = settings.automaton;
   job.threads = settings.threads;

@@ -25,8 +25,7 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::kSobol;
   Estimator estimator = Estimator::kPath;
-  std::uint32_t pathsPerRay = 1;       // of Estimator::kSplit
-  bool sharesDirectLight = false;      // by those paths
+  PathSharing sharing{};
   std::string paths{};                 // expression of the light that is let through; empty: all
   PathAutomaton automaton{};           // the same for the worker
   std::optional<FlatCamera> camera{};  // instead of the scene's, of the same size

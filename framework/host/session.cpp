@@ -135,8 +135,7 @@ RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& option
   settings.sampler = options.sampler;
   if (options.paths) letThrough(*options.paths, scene.flat, settings);
   settings.estimator = options.estimator;
-  settings.pathsPerRay = options.pathsPerRay;
-  settings.sharesDirectLight = options.sharesDirectLight;
+  settings.sharing = options.sharing;
   return settings;
 }
 

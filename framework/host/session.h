@@ -68,8 +68,7 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::kSobol;
   Estimator estimator = Estimator::kPath;
-  std::uint32_t pathsPerRay = 1;          // of Estimator::kSplit
-  bool sharesDirectLight = false;         // by those paths
+  PathSharing sharing{};
   std::optional<PathExpression> paths{};  // nothing: all light
   double secondsWithoutAnswer = 10.0;
 };

@@ -35,10 +35,22 @@ enum class Estimator : std::uint32_t {
   kWarmUp = 1,  // part 0
   kMis = 2,     // part 8's tracePathMIS
   kSplit = 3,   // several paths of tracePath from each camera ray
+  kReuse = 4,   // paths of tracePath that serve all pixels of a block
 };
 
-// Paths that may share a camera ray.
-inline constexpr std::uint32_t kMostPathsPerRay = 64;
+// What paths have in common.
+struct PathSharing {
+  static constexpr std::uint32_t kMost = 64;  // of each
+
+  // Of Estimator::kSplit: paths that share a camera ray; and 1: its direct light, too.
+  std::uint32_t pathsPerRay = 1, directLight = 0;
+
+  // Of Estimator::kReuse: pixels of a block whose paths serve all of them, a power of two; and
+  // paths for the direct light of each camera ray.
+  std::uint32_t pixels = 1, directPaths = 1;
+
+  bool operator==(const PathSharing&) const = default;
+};
 
 // Pixels of the image, from the top left.
 struct PixelRegion {
@@ -56,10 +68,9 @@ struct RenderJob {
   std::uint32_t raysByTile = 0;  // 1: so many of each pixel as its tile has in the film's memory,
                                  // at most `rays`; the region then begins at a tile
   std::uint32_t raysPerPass = 1;
-  std::uint32_t pathsPerRay = 1;        // of Estimator::kSplit
-  std::uint32_t sharesDirectLight = 0;  // 1: those paths share direct light, too
-  PixelRegion region;                   // to render; what reaches beyond the image is cut off
-  std::uint32_t ownCamera = 0;          // 1: the camera is `camera` and not the scene's
+  PathSharing sharing;
+  PixelRegion region;           // to render; what reaches beyond the image is cut off
+  std::uint32_t ownCamera = 0;  // 1: the camera is `camera` and not the scene's
   FlatCamera camera;
   PathAutomaton paths;  // that light is let through along; not of the warm-up
 };

@@ -1,6 +1,8 @@
 #include "render/render_tiles.h"
 
+#include "render/camera_rays.h"
 #include "render/path_filter.h"
+#include "render/path_reuse.h"
 #include "render/ray_count.h"
 #include "render/split_paths.h"
 #include "sampling/pixel_sampler.h"
@@ -26,13 +28,6 @@ void flushDenormalsToZero() {
   constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
   _mm_setcsr(_mm_getcsr() | kFlushToZero | kDenormalsAreZero);
 #endif
-}
-
-// In strata like those of part 1, without calling it.
-vec2 placeInPixel(int ray, int rays, const vec2& st) {
-  const int n = static_cast<int>(std::sqrt(static_cast<float>(rays)));
-  if (ray >= n * n) return st;
-  return (vec2(ray % n, ray / n) + st) / static_cast<float>(n);
 }
 
 class PixelRenderer {
@@ -78,10 +73,7 @@ class PixelRenderer {
     glm::dvec3 sum(0.0);
     for (int m = 0; m < static_cast<int>(rays); ++m) {
       sampler_->startRay(m);
-      const vec2 film = vec2(i, j) + placeInPixel(m, static_cast<int>(rays), sampler_->next2D());
-      const Vector direction = normalize(camera_.topLeft() + film.x * camera_.pixelRight() +
-                                         film.y * camera_.pixelDown());
-      sum += radiance(Ray{camera_.eye(), direction}, m);
+      sum += radiance(cameraRay(camera_, i, j, m, static_cast<int>(rays), sampler_->next2D()), m);
     }
     return sum / static_cast<double>(rays);
   }
@@ -158,23 +150,72 @@ class Tiles {
   std::atomic<int> next_{0};
 };
 
-// All passes of one pixel. Returns false when the host has asked to stop.
-bool renderPixelPasses(int i, int j, const RenderJob& job, std::uint64_t raysOfJob,
-                       PixelRenderer& renderer, std::uint64_t pixel, FilmPixel& film,
-                       InvalidPixels& invalid, const ProgressBoard& board, ThreadSlot& slot) {
-  slot.column.store(i, std::memory_order_relaxed);
-  slot.row.store(j, std::memory_order_relaxed);
-  for (std::uint64_t done = 0; done < raysOfJob; done += job.raysPerPass) {
-    if (board.cancel.load(std::memory_order_relaxed) != 0) return false;
-    const auto rays =
-        static_cast<std::uint32_t>(std::min<std::uint64_t>(job.raysPerPass, raysOfJob - done));
-    const Colour mean = renderer.render(i, j, job.firstRay + done, rays);
-    addToFilm(mean, rays, pixel, film, invalid);
-    slot.pixelsDone.fetch_add(1, std::memory_order_relaxed);
-    slot.raysTraced.store(raysOfThisThread(), std::memory_order_relaxed);
+// What one thread renders with. Tiles are made of blocks of pixels that are rendered together: of
+// one pixel, where pixels share nothing.
+class TileRenderer {
+ public:
+  TileRenderer(const SceneCore& core, const RenderJob& job, const SimpleCamera& camera,
+               std::span<FilmPixel> film, const ProgressBoard& board, ThreadSlot& slot)
+      : job_(job),
+        width_(camera.width()),
+        film_(film),
+        board_(board),
+        slot_(slot),
+        pixel_(core, job, camera),
+        means_(job.sharing.pixels) {
+    if (job.estimator == Estimator::kReuse) reuse_ = std::make_unique<PathReuse>(core, job, camera);
   }
-  return true;
-}
+
+  // So many rays of each pixel. Returns false when the host has asked to stop.
+  bool render(const Tile& tile, std::uint64_t rays) {
+    const PixelBlock shape = blockOf(job_.sharing.pixels);
+    // Blocks are the same wherever tiles begin.
+    for (int j = tile.top / shape.height * shape.height; j < tile.bottom; j += shape.height)
+      for (int i = tile.left / shape.width * shape.width; i < tile.right; i += shape.width) {
+        const int left = std::max(i, tile.left), top = std::max(j, tile.top);
+        const PixelBlock block{left, top, std::min(i + shape.width, tile.right) - left,
+                               std::min(j + shape.height, tile.bottom) - top};
+        if (!renderPasses(block, rays)) return false;
+      }
+    return true;
+  }
+
+  const InvalidPixels& invalid() const { return invalid_; }
+
+ private:
+  bool renderPasses(const PixelBlock& block, std::uint64_t raysOfJob) {
+    slot_.column.store(block.left, std::memory_order_relaxed);
+    slot_.row.store(block.top, std::memory_order_relaxed);
+    for (std::uint64_t done = 0; done < raysOfJob; done += job_.raysPerPass) {
+      if (board_.cancel.load(std::memory_order_relaxed) != 0) return false;
+      const auto rays =
+          static_cast<std::uint32_t>(std::min<std::uint64_t>(job_.raysPerPass, raysOfJob - done));
+      if (reuse_)
+        reuse_->render(block, job_.firstRay + done, rays, means_, slot_);
+      else
+        means_[0] = pixel_.render(block.left, block.top, job_.firstRay + done, rays);
+      for (std::size_t k = 0; k < block.count(); ++k) {
+        const auto pixel =
+            static_cast<std::uint64_t>(block.row(k)) * static_cast<std::uint64_t>(width_) +
+            static_cast<std::uint64_t>(block.column(k));
+        addToFilm(means_[k], rays, pixel, film_[pixel], invalid_);
+      }
+      slot_.pixelsDone.fetch_add(block.count(), std::memory_order_relaxed);
+      slot_.raysTraced.store(raysOfThisThread(), std::memory_order_relaxed);
+    }
+    return true;
+  }
+
+  const RenderJob& job_;
+  int width_;
+  std::span<FilmPixel> film_;
+  const ProgressBoard& board_;
+  ThreadSlot& slot_;
+  PixelRenderer pixel_;
+  std::unique_ptr<PathReuse> reuse_;  // null: pixels share nothing
+  std::vector<Colour> means_;         // of a block
+  InvalidPixels invalid_;
+};
 
 }  // namespace
 
@@ -196,21 +237,14 @@ RenderResult renderTiles(const SceneCore& scene, const RenderJob& job, std::span
     restartRayCount();
     ThreadSlot& slot = board.threads[index];
     slot.threadId.store(static_cast<std::int32_t>(gettid()), std::memory_order_relaxed);
-    PixelRenderer renderer(scene, job, camera);
-    InvalidPixels found;
+    TileRenderer renderer(scene, job, camera, film, board, slot);
     bool going = true;
     for (Tile tile{}; going && tiles.take(tile);) {
       const std::uint64_t rays =
           job.raysByTile != 0 ? std::min(job.rays, tileRays[tile.index(width)]) : job.rays;
-      for (int j = tile.top; going && j < tile.bottom; ++j)
-        for (int i = tile.left; going && i < tile.right; ++i) {
-          const auto pixel = static_cast<std::uint64_t>(j) * static_cast<std::uint64_t>(width) +
-                             static_cast<std::uint64_t>(i);
-          going =
-              renderPixelPasses(i, j, job, rays, renderer, pixel, film[pixel], found, board, slot);
-        }
+      going = renderer.render(tile, rays);
     }
-    invalid[index] = found;
+    invalid[index] = renderer.invalid();
     slot.threadId.store(0, std::memory_order_relaxed);
   };
 

@@ -41,6 +41,9 @@ class SceneCore {
   bool intersect(const Ray& ray, Hit& hit) const;
   bool visible(const Hit& from, const LightSample& to) const;
 
+  // Whether nothing lies between two points of surfaces.
+  bool visible(const Hit& from, const Hit& to) const;
+
   // The scene's triangles in the form of part 0; spheres are left out.
   std::vector<Triangle> warmUpTriangles() const;
 

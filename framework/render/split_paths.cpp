@@ -16,10 +16,10 @@ constexpr std::uint64_t kStream = 0x73706c6974747468ull;
 SplitPaths::SplitPaths(const SceneCore& core, const RenderJob& job)
     : scene_(core, core.maxBounces()),
       direct_(core, std::min(core.maxBounces(), 1)),
-      sharesDirectLight_(job.sharesDirectLight != 0),
-      pathsPerRay_(static_cast<int>(job.pathsPerRay)),
+      sharesDirectLight_(job.sharing.directLight != 0),
+      pathsPerRay_(static_cast<int>(job.sharing.pathsPerRay)),
       sampler_(makePixelSampler(job.sampler, mix(job.seed ^ kStream),
-                                job.raysPerPass * job.pathsPerRay)) {}
+                                job.raysPerPass * job.sharing.pathsPerRay)) {}
 
 void SplitPaths::startPixel(int i, int j, std::uint64_t raysBefore) {
   sampler_->startPixel(i, j, raysBefore * static_cast<std::uint64_t>(pathsPerRay_));

@@ -215,10 +215,16 @@ TEST_F(CheckpointTest, SaysWhatDiffers) {
   says(
       [](auto& i) {
         i.settings.estimator = Estimator::kSplit;
-        i.settings.pathsPerRay = 4;
-        i.settings.sharesDirectLight = true;
+        i.settings.sharing.pathsPerRay = 4;
+        i.settings.sharing.directLight = 1;
       },
       "by tracePath, not with --split 4 --share-direct");
+  says(
+      [](auto& i) {
+        i.settings.estimator = Estimator::kReuse;
+        i.settings.sharing.pixels = 16;
+      },
+      "by tracePath, not with --reuse 16 --direct-paths 1");
   says([](auto& i) { i.settings.replicates = 2; }, "4 of 128 rays per pixel, not 2 of 256");
   says([](auto& i) { i.settings.replicates = 1; }, "not 1 of 512");
   says([](auto& i) { i.settings.raysPerPixel = 1024; }, "not 4 of 256");

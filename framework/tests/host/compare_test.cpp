@@ -102,6 +102,48 @@ INSTANTIATE_TEST_SUITE_P(Noise, FalseAlarms,
                                             ::testing::Values(Reference::kNoisy,
                                                               Reference::kExact)));
 
+// Whose pixels have the same noise within blocks of 4x4.
+ImageFile noisyBlocks(int width, int height, int replicates, Uniforms& random) {
+  constexpr int kBlock = 4;
+  ImageFile file{exactImage(width, height).image, {}};
+  file.origin.replicates = static_cast<std::uint32_t>(replicates);
+  file.image.variance.resize(file.image.rgb.size());
+  for (int top = 0; top < height; top += kBlock)
+    for (int left = 0; left < width; left += kBlock) {
+      stats::RunningMoments noise;
+      for (int r = 0; r < replicates; ++r) noise.add(exponential(random));
+      for (int row = top; row < top + kBlock; ++row)
+        for (int column = left; column < left + kBlock; ++column)
+          for (int c = 0; c < 3; ++c) {
+            const auto at = static_cast<std::size_t>(3 * (row * width + column) + c);
+            const double expected = uneven(column, row);
+            file.image.rgb[at] = static_cast<float>(expected * (1.0 + noise.mean()));
+            file.image.variance[at] =
+                static_cast<float>(expected * expected * noise.variance() / replicates);
+          }
+    }
+  return file;
+}
+
+TEST(Compare, NoiseThatPixelsShareIsNoDifference) {
+  constexpr double kAlpha = 0.05;
+  constexpr int kRuns = 1000;
+  const auto rate = [&](std::uint32_t pixelsPerBlock) {
+    Uniforms random(6);
+    const ImageFile exact = exactImage(32, 32);
+    int alarms = 0;
+    for (int run = 0; run < kRuns; ++run) {
+      ImageFile noisy = noisyBlocks(32, 32, 16, random);
+      noisy.origin.pixelsPerBlock = pixelsPerBlock;
+      alarms += compareImages(noisy, exact, {.alpha = kAlpha}).same ? 0 : 1;
+    }
+    return static_cast<double>(alarms) / kRuns;
+  };
+  EXPECT_LE(rate(16), kAlpha + kSigmas * std::sqrt(kAlpha * (1.0 - kAlpha) / kRuns));
+  EXPECT_GE(rate(16), kAlpha / 50.0);
+  EXPECT_GE(rate(1), 0.5) << "which pixels are in a block makes no difference";
+}
+
 TEST(Compare, NoiseIsNoDifferenceAtTheDefaultRate) {
   Uniforms random(3);
   // 100 comparisons at a rate of 0.001 with 771 tests each: more than 5 alarms have a probability

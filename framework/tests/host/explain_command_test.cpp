@@ -67,6 +67,23 @@ TEST_F(Explain, SplitPathsSayWhatTheyShare) {
   expectSays(explain("cornell_box", {"--split", "4", "--warm-up"}), 2, "--warm-up");
 }
 
+TEST_F(Explain, PathsThatPixelsShareSayWhichPixels) {
+  EXPECT_EQ(lineOf(explain("cornell_box"), "paths of pixels"), "no such line");
+  const std::string why = " (the errors of their pixels are not independent)";
+  expectLine(explain("cornell_box", {"--reuse", "16"}), "paths of pixels",
+             "shared in blocks of 4x4" + why);
+  expectLine(explain("cornell_box", {"--reuse", "2", "--direct-paths", "4"}), "paths of pixels",
+             "shared in blocks of 2x1, 4 for the direct light of each camera ray" + why);
+  expectSays(explain("cornell_box", {"--reuse", "3"}), 2, "2, 4, 8");
+  expectSays(explain("cornell_box", {"--reuse", "128"}), 2, "64");
+  expectSays(explain("cornell_box", {"--direct-paths", "2"}), 2, "--reuse");
+  expectSays(explain("cornell_box", {"--reuse", "4", "--direct-paths", "65"}), 2, "64");
+  for (const std::string other : {"--mis", "--warm-up"})
+    expectSays(explain("cornell_box", {"--reuse", "4", other}), 2, other);
+  expectSays(explain("cornell_box", {"--reuse", "4", "--split", "4"}), 2, "--split");
+  expectSays(explain("cornell_box", {"--reuse", "4", "--paths", "LDE"}), 2, "--paths");
+}
+
 TEST_F(Explain, TheCornellBoxIsAFlatLoopWithoutSpheresWhoseWallsCastNoShadow) {
   const ProcessResult result = explain("cornell_box");
   expectLine(result, "triangles", "32 as 16 pairs, a flat loop");

@@ -34,6 +34,7 @@ const ImageOrigin kOrigin{.scene =
                           .raysPerPixel = 1234.5,
                           .raysPerPass = 64,
                           .replicates = 16,
+                          .pixelsPerBlock = 8,
                           .seed = std::numeric_limits<std::uint64_t>::max(),
                           .sampler = "stratified",
                           .paths = "LS+DE",
@@ -73,6 +74,7 @@ TEST(ImageFile, ExrKeepsEveryBitAndTheOrigin) {
   EXPECT_EQ(read.origin.raysPerPixel, kOrigin.raysPerPixel);
   EXPECT_EQ(read.origin.raysPerPass, kOrigin.raysPerPass);
   EXPECT_EQ(read.origin.replicates, kOrigin.replicates);
+  EXPECT_EQ(read.origin.pixelsPerBlock, kOrigin.pixelsPerBlock);
   EXPECT_EQ(read.origin.seed, kOrigin.seed);
   EXPECT_EQ(read.origin.sampler, kOrigin.sampler);
   EXPECT_EQ(read.origin.paths, kOrigin.paths);

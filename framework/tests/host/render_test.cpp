@@ -176,10 +176,10 @@ TEST(Render, SplitPathsAreTracePathsWithNumbersOfTheirOwn) {
   settings.width = settings.height = 8;
   settings.raysPerPixel = 2;
   settings.estimator = Estimator::kSplit;
-  settings.pathsPerRay = 4;
+  settings.sharing.pathsPerRay = 4;
   const auto goOn = [](const RenderStatus&) { return true; };
   const RenderedImage split = renderImage(*worker, settings, goOn);
-  settings.sharesDirectLight = true;
+  settings.sharing.directLight = 1;
   const RenderedImage sharing = renderImage(*worker, settings, goOn);
   std::set<float> numbers;
   for (std::size_t k = 0; k < split.image.rgb.size(); k += 3) {

@@ -1,0 +1,76 @@
+// Small renders of the solutions whose noise is known, for comparing one way of rendering with
+// another.
+#pragma once
+
+#include "film/compare.h"
+#include "host/session.h"
+#include "solved/support/solutions.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace pathmark::test {
+
+struct NoisyRender {
+  static constexpr std::uint32_t kReplicates = 16;
+
+  std::string scene;
+  Estimator estimator = Estimator::kPath;
+  PathSharing sharing{};
+  std::string paths{};  // empty: all light
+  SamplerKind sampler = SamplerKind::kSobol;
+  bool bySolidAngle = false;
+  std::uint64_t rays = 16;  // of each replicate
+  int maxBounces = -1;      // -1: the scene's
+  int width = 24, height = 24;
+  std::uint64_t seed = 1;
+  std::uint32_t threads = 2;
+};
+
+inline RenderedImage rendered(const NoisyRender& wish) {
+  SceneOverrides overrides;
+  overrides.size = {wish.width, wish.height};
+  if (wish.maxBounces >= 0) overrides.maxBounces = wish.maxBounces;
+  LoadedScene scene = loadScene(findScene(wish.scene), overrides);
+  if (wish.bySolidAngle) scene.flat.lightSampling = LightSampling::kBySolidAngle;
+  RenderOptions options;
+  options.raysPerPixel = wish.rays * NoisyRender::kReplicates;
+  options.replicates = NoisyRender::kReplicates;
+  options.seed = wish.seed;
+  options.threads = wish.threads;
+  options.sampler = wish.sampler;
+  options.estimator = wish.estimator;
+  options.sharing = wish.sharing;
+  if (!wish.paths.empty()) options.paths = PathExpression(wish.paths);
+  return renderScene(solutions(), scene, options).rendered;
+}
+
+// Compared with four times as many rays of tracePath; fails for right ones with probability 1e-6.
+inline void expectSameAsTracePath(const NoisyRender& wish) {
+  NoisyRender plain = wish;
+  plain.estimator = Estimator::kPath;
+  plain.sharing = {};
+  plain.seed = wish.seed + 1;
+  plain.rays = 4 * wish.rays;
+  const Replicates replicates{NoisyRender::kReplicates, NoisyRender::kReplicates,
+                              wish.sharing.pixels, 1};
+  const Comparison comparison =
+      compareImages(rendered(wish).image, rendered(plain).image, replicates, {.alpha = 1e-6});
+  std::string means;
+  for (const RegionResult& r : comparison.whole)
+    means += fmt::format("{} +- {} and {} +- {}\n", r.a, r.errorA, r.b, r.errorB);
+  EXPECT_TRUE(comparison.judged);
+  EXPECT_TRUE(comparison.same) << wish.scene << ":\n" << means;
+}
+
+// The sum of all pixels' variances.
+inline double noiseOf(const NoisyRender& wish) {
+  const Image image = rendered(wish).image;
+  double sum = 0.0;
+  for (const float variance : image.variance) sum += double{variance};
+  return sum;
+}
+
+}  // namespace pathmark::test
