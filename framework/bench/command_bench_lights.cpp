@@ -1,5 +1,6 @@
 // pathmark bench lights: what other ways to find the lights buy: multiple importance sampling,
-// points on lights by the solid angle, and several paths for each camera ray.
+// points on lights by the solid angle, several paths for each camera ray, and paths that pixels
+// share.
 #include "bench/bench_commands.h"
 #include "bench/interrupted_run.h"
 #include "bench/machine.h"
@@ -42,7 +43,9 @@ const std::vector<Way>& ways() {
       {"tracePathMIS, solid angle", {"--mis", "--solid-angle"}},
       {"4 paths a ray", {"--split", "4"}},
       {"4 paths a ray, direct light shared", {"--split", "4", "--share-direct"}},
-      {"8 paths a ray, direct light shared", {"--split", "8", "--share-direct"}}};
+      {"4 pixels share paths", {"--reuse", "4"}},
+      {"16 pixels share paths", {"--reuse", "16"}},
+      {"16 pixels share paths, 4 for direct light", {"--reuse", "16", "--direct-paths", "4"}}};
   return kWays;
 }
 
@@ -128,7 +131,7 @@ void addBenchLightsCommand(CLI::App& bench, CommandAction& action) {
   const auto arguments = std::make_shared<BenchLightsArguments>();
   CLI::App* command = bench.add_subcommand(
       "lights",
-      "What bonus parts 8 and 9 and split paths buy: error and time with and without them");
+      "What bonus parts 8 and 9 and shared paths buy: error and time with and without them");
   command
       ->add_option("SCENE", arguments->scenes,
                    "Scenes that have a reference (default: veach_plates, cornell_phong, "

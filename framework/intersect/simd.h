@@ -73,7 +73,8 @@ struct NearestV {
 
   explicit NearestV(float tMax) : t(tMax) {}
 
-  void take(const FloatV::mask_type& met, const FloatV& newT, const FloatV& newIndex) {
+  [[gnu::always_inline]] void take(const FloatV::mask_type& met, const FloatV& newT,
+                                   const FloatV& newIndex) {
     const FloatV::mask_type nearer = met && newT > 0.0f && newT < t;
     where(nearer, t) = newT;
     where(nearer, index) = newIndex;

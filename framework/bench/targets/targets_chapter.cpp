@@ -42,7 +42,8 @@ constexpr const char* kLights =
 The same with multiple importance sampling ([part 8](part8_mis.md)), with points on lights by the
 solid angle ([part 9](part9_solid_angle.md)), and with several paths for each camera ray, which share
 the surface that it meets first, and the direct light there or not
-([splitting](labs.md#7-splitting)): `bench lights`.
+([splitting](labs.md#7-splitting)), and with paths that neighbouring pixels share
+([re-using paths](labs.md#8-re-using-paths)): `bench lights`.
 
 )";
 
