@@ -18,6 +18,14 @@ TEST_P(PathReuse, GivesThePictureOfTracePath) {
   for (const std::uint32_t pixels : {4u, 16u}) expectSameAsTracePath(reuse(GetParam(), pixels));
 }
 
+// Then they look at everything that is there, and see it or not.
+TEST_P(PathReuse, GivesThePictureOfTracePathIfAllPixelsShareAsWell) {
+  NoisyRender wish = reuse(GetParam(), 64);
+  wish.width = wish.height = 8;
+  wish.replicates = 256;
+  expectSameInEveryPixel(wish);
+}
+
 // Among them surfaces that shine, first and later ones, spheres from inside and outside, backs, and
 // light that paths alone find.
 INSTANTIATE_TEST_SUITE_P(Scenes, PathReuse,

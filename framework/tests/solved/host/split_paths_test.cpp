@@ -75,7 +75,7 @@ TEST(SplitPaths, ShareTheirCameraRay) {
     wish.rays = 2;
     return rendered(wish).raysTraced;
   };
-  const auto cameraRays = std::uint64_t{24} * 24 * 2 * NoisyRender::kReplicates;
+  const auto cameraRays = std::uint64_t{24} * 24 * 2 * NoisyRender{}.replicates;
   const std::uint64_t one = rays(1, false), four = rays(4, false), sharing = rays(4, true);
   EXPECT_NEAR(double(four), double(4 * one - 3 * cameraRays), 0.02 * double(four));
   EXPECT_LT(sharing, four - 2 * cameraRays);
