@@ -299,6 +299,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark render cornell_box --warm-up --size 128x128\n"
       "  ./pathmark render veach_plates --mis\n"
       "  ./pathmark render blob --with solutions --split 4\n"
+      "  ./pathmark render cornell_box --reuse 16\n"
       "  ./pathmark render cornell_box --explain\n"
       "  ./pathmark render cornell_phong --paths 'LS+DE' --output caustic.png\n"
       "  ./pathmark render student/scenes/my_scene.json --output my_scene.exr\n"
