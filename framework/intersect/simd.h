@@ -14,6 +14,7 @@
 // GCC 12 warns of its own AVX-512 functions, which begin with an undefined vector on purpose.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <experimental/simd>
 #if defined(__FMA__) && defined(__AVX__)
 #include <immintrin.h>
