@@ -214,6 +214,16 @@ bool isFinite(const Point& origin, const Vector& direction) {
 
 constexpr float kNearest = std::numeric_limits<float>::min();  // Embree would accept a hit at 0
 
+// Whether the triangle is ahead of the origin by more than rounding can feign. Of rays from far
+// outside the scene the errors are larger than its scale tells.
+bool isFarAhead(const RTCRayHit& query, const EmbreeIntersector::Scale& scale) {
+  const Vector n(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  const Vector way = query.ray.tfar * Vector(query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
+  const float height = dot(way, n);
+  return height * height > scale.heightError * scale.heightError * dot(n, n) &&
+         dot(way, way) <= scale.size * scale.size;
+}
+
 RTCRay rayFrom(const Point& origin, const Vector& direction, float tMin, float tMax) {
   RTCRay ray{};
   ray.org_x = origin.x;
@@ -266,7 +276,8 @@ bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) c
         triangleOf(*triangles_, {query.hit.primID, query.hit.u, query.hit.v,
                                  Vector(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)});
     const FlatSceneView& view = triangles_->view;
-    if (planeDistance(view, view.triangles[index], ray.origin, ray.direction) > 0.0f) {
+    if (isFarAhead(query, triangles_->scale) ||
+        planeDistance(view, view.triangles[index], ray.origin, ray.direction) > 0.0f) {
       hit = {query.ray.tfar, index, false};
       return true;
     }
