@@ -14,9 +14,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pathmark {
 
@@ -31,6 +34,34 @@ float planeDistance(const FlatSceneView& scene, const FlatTriangle& triangle, co
   return dot(Point(corner[0], corner[1], corner[2]) - origin, n) / dot(direction, n);
 }
 
+// What Embree says of a hit.
+struct FoundHit {
+  std::uint32_t primitive;
+  float u, v;
+  Vector normal;  // of any length
+};
+
+// Which triangle was hit. Along the edge between a quad's halves, where u + v = 1 but for rounding,
+// the one with the more similar normal, since that is Embree's own of the half that it has hit.
+std::uint32_t triangleOf(const EmbreeIntersector::Scene& scene, const FoundHit& hit) {
+  if (!scene.quads) return hit.primitive;
+  const std::uint32_t first = scene.quads->firstOf(hit.primitive);
+  if (!scene.quads->isPair(hit.primitive)) return first;
+  constexpr float kOnEdge = 64.0f * kUnitRoundoff;
+  const float beyond = hit.u + hit.v - 1.0f;
+  if (std::abs(beyond) > kOnEdge) return beyond > 0.0f ? first + 1 : first;
+  const auto likeness = [&](std::uint32_t triangle) {
+    const Float3& n = scene.view.triangles[triangle].normal;
+    return dot(hit.normal, Vector(n[0], n[1], n[2]));
+  };
+  return likeness(first + 1) > likeness(first) ? first + 1 : first;
+}
+
+Vector normalOf(const RTCFilterFunctionNArguments& arguments, unsigned i) {
+  return {RTCHitN_Ng_x(arguments.hit, arguments.N, i), RTCHitN_Ng_y(arguments.hit, arguments.N, i),
+          RTCHitN_Ng_z(arguments.hit, arguments.N, i)};
+}
+
 // A hit that Embree has found and asks about.
 struct Candidate {
   const FlatSceneView& scene;
@@ -40,7 +71,11 @@ struct Candidate {
 
   Candidate(const RTCFilterFunctionNArguments& arguments, unsigned i)
       : scene(static_cast<const EmbreeIntersector::Scene*>(arguments.geometryUserPtr)->view),
-        triangle(scene.triangles[RTCHitN_primID(arguments.hit, arguments.N, i)]),
+        triangle(scene.triangles[triangleOf(
+            *static_cast<const EmbreeIntersector::Scene*>(arguments.geometryUserPtr),
+            {RTCHitN_primID(arguments.hit, arguments.N, i),
+             RTCHitN_u(arguments.hit, arguments.N, i), RTCHitN_v(arguments.hit, arguments.N, i),
+             normalOf(arguments, i)})]),
         origin(RTCRayN_org_x(arguments.ray, arguments.N, i),
                RTCRayN_org_y(arguments.ray, arguments.N, i),
                RTCRayN_org_z(arguments.ray, arguments.N, i)),
@@ -71,7 +106,7 @@ void passThroughBacks(const RTCFilterFunctionNArguments* arguments) {
 // a segment's ends above its plane by this times the scene's size at most. Ends that are higher
 // than this are on different sides indeed: no need to look at the triangle, which is seldom in a
 // cache.
-float heightError(const FlatSceneView& scene) {
+EmbreeIntersector::Scale scaleOf(const FlatSceneView& scene) {
   constexpr float kRoundoffs = 8.0f;
   float magnitude = 0.0f, lowest = std::numeric_limits<float>::infinity();
   for (const FlatTriangle& triangle : scene.triangles) {
@@ -87,13 +122,11 @@ float heightError(const FlatSceneView& scene) {
       magnitude = std::max(magnitude, largestComponent(corner(k)));
   }
   const float size = 2.0f * magnitude;
-  return kRoundoffs * kUnitRoundoff * size * size / std::sqrt(lowest);
+  return {size, kRoundoffs * kUnitRoundoff * size * size / std::sqrt(lowest)};
 }
 
 bool endsAreHigh(const RTCFilterFunctionNArguments& arguments, unsigned i, float heightError) {
-  const Vector n(RTCHitN_Ng_x(arguments.hit, arguments.N, i),
-                 RTCHitN_Ng_y(arguments.hit, arguments.N, i),
-                 RTCHitN_Ng_z(arguments.hit, arguments.N, i));
+  const Vector n = normalOf(arguments, i);
   const Vector segment(RTCRayN_dir_x(arguments.ray, arguments.N, i),
                        RTCRayN_dir_y(arguments.ray, arguments.N, i),
                        RTCRayN_dir_z(arguments.ray, arguments.N, i));
@@ -105,7 +138,7 @@ bool endsAreHigh(const RTCFilterFunctionNArguments& arguments, unsigned i, float
 void passThroughRounding(const RTCFilterFunctionNArguments* arguments) {
   const auto& scene = *static_cast<const EmbreeIntersector::Scene*>(arguments->geometryUserPtr);
   for (unsigned i = 0; i < arguments->N; ++i) {
-    if (arguments->valid[i] == 0 || endsAreHigh(*arguments, i, scene.heightError)) continue;
+    if (arguments->valid[i] == 0 || endsAreHigh(*arguments, i, scene.scale.heightError)) continue;
     if (!Candidate(*arguments, i).isOnSegment()) arguments->valid[i] = 0;
   }
 }
@@ -137,13 +170,25 @@ void giveVertices(RTCGeometry geometry, const FlatSceneView& view) {
     std::copy(view.vertices.begin(), view.vertices.end(), static_cast<Float3*>(vertices));
 }
 
+void giveIndices(RTCGeometry geometry, const EmbreeIntersector::Scene& scene) {
+  if (scene.quads) {
+    const std::vector<QuadMesh::Quad>& quads = scene.quads->quads();
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, quads.data(),
+                               0, sizeof(QuadMesh::Quad), quads.size());
+    return;
+  }
+  const std::span<const FlatTriangle> triangles = scene.view.triangles;
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
+                             offsetof(FlatTriangle, vertex), sizeof(FlatTriangle),
+                             triangles.size());
+}
+
 void addTriangles(RTCDevice device, RTCScene scene, const EmbreeIntersector::Scene& triangles) {
   const FlatSceneView& view = triangles.view;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry =
+      rtcNewGeometry(device, triangles.quads ? RTC_GEOMETRY_TYPE_QUAD : RTC_GEOMETRY_TYPE_TRIANGLE);
   giveVertices(geometry, view);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             view.triangles.data(), offsetof(FlatTriangle, vertex),
-                             sizeof(FlatTriangle), view.triangles.size());
+  giveIndices(geometry, triangles);
   rtcSetGeometryUserData(geometry, const_cast<EmbreeIntersector::Scene*>(&triangles));
   const bool frontOnly = view.anyFrontOnly();
   if (frontOnly) rtcSetGeometryIntersectFilterFunction(geometry, passThroughBacks);
@@ -154,12 +199,30 @@ void addTriangles(RTCDevice device, RTCScene scene, const EmbreeIntersector::Sce
   rtcReleaseGeometry(geometry);
 }
 
+// A triangle that is alone takes more of a hierarchy as a quad than as a triangle. Nothing large is
+// made only to be freed: malloc would then take Embree's blocks from its heap, where they are in no
+// large pages.
+std::optional<QuadMesh> quadsOf(const FlatSceneView& view) {
+  if (4 * countQuads(view) > 3 * view.triangles.size()) return std::nullopt;
+  return std::optional<QuadMesh>(std::in_place, view);
+}
+
 // Embree does not say what it does with a ray that is no ray.
 bool isFinite(const Point& origin, const Vector& direction) {
   return std::isfinite(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z);
 }
 
 constexpr float kNearest = std::numeric_limits<float>::min();  // Embree would accept a hit at 0
+
+// Whether the triangle is ahead of the origin by more than rounding can feign. Of rays from far
+// outside the scene the errors are larger than its scale tells.
+bool isFarAhead(const RTCRayHit& query, const EmbreeIntersector::Scale& scale) {
+  const Vector n(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  const Vector way = query.ray.tfar * Vector(query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
+  const float height = dot(way, n);
+  return height * height > scale.heightError * scale.heightError * dot(n, n) &&
+         dot(way, way) <= scale.size * scale.size;
+}
 
 RTCRay rayFrom(const Point& origin, const Vector& direction, float tMin, float tMax) {
   RTCRay ray{};
@@ -181,7 +244,7 @@ void EmbreeIntersector::Release::operator()(RTCDeviceTy* device) const { rtcRele
 void EmbreeIntersector::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
 EmbreeIntersector::EmbreeIntersector(const FlatSceneView& scene)
-    : triangles_(std::make_unique<Scene>(Scene{scene, heightError(scene)})),
+    : triangles_(std::make_unique<Scene>(Scene{scene, quadsOf(scene), scaleOf(scene)})),
       device_(rtcNewDevice(nullptr)) {
   if (!device_) throw std::runtime_error("Embree cannot be started.");
   scene_.reset(rtcNewScene(device_.get()));
@@ -209,9 +272,13 @@ bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) c
     rtcIntersect1(scene_.get(), &context, &query);
 #endif
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-    const FlatTriangle& triangle = triangles_->view.triangles[query.hit.primID];
-    if (planeDistance(triangles_->view, triangle, ray.origin, ray.direction) > 0.0f) {
-      hit = {query.ray.tfar, query.hit.primID, false};
+    const std::uint32_t index =
+        triangleOf(*triangles_, {query.hit.primID, query.hit.u, query.hit.v,
+                                 Vector(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)});
+    const FlatSceneView& view = triangles_->view;
+    if (isFarAhead(query, triangles_->scale) ||
+        planeDistance(view, view.triangles[index], ray.origin, ray.direction) > 0.0f) {
+      hit = {query.ray.tfar, index, false};
       return true;
     }
     // Behind the origin, but for rounding.

@@ -8,11 +8,13 @@
 #pragma once
 
 #include "intersect/primitive_hit.h"
+#include "intersect/quad_mesh.h"
 #include "scene/flat_scene.h"
 
 #include <pathmark/types.h>
 
 #include <memory>
+#include <optional>
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
@@ -21,10 +23,17 @@ namespace pathmark {
 
 class EmbreeIntersector {
  public:
+  // What Embree's rounding errors depend on.
+  struct Scale {
+    float size;         // of the scene
+    float heightError;  // of points' heights above a triangle's plane
+  };
+
   // What Embree is told to look at when it asks about a hit.
   struct Scene {
     FlatSceneView view;
-    float heightError;  // of Embree's heights of a segment's ends above a triangle's plane
+    std::optional<QuadMesh> quads;  // where most triangles are in pairs
+    Scale scale;
   };
 
   // Spheres are left out. The memory behind the view must outlive the intersector.
