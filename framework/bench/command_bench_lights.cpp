@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -47,6 +48,12 @@ const std::vector<Way>& ways() {
       {"16 pixels share paths", {"--reuse", "16"}},
       {"16 pixels share paths, 4 for direct light", {"--reuse", "16", "--direct-paths", "4"}}};
   return kWays;
+}
+
+std::size_t longestName() {
+  std::size_t longest = 0;
+  for (const Way& way : ways()) longest = std::max(longest, way.name.size());
+  return longest;
 }
 
 struct Measured {
@@ -97,7 +104,7 @@ int benchLights(const BenchLightsArguments& arguments) {
               fmt::format("Finding lights: {} rays per pixel, {} seeds, one thread",
                           arguments.raysPerPixel, arguments.seeds),
               {{"scene", "scene"},
-               {"way", "way"},
+               {"way", "way", 0, longestName()},
                {"relMse", "relMSE x 1e4", 3},
                {"relMseError", "+-", 3},
                {"cpuSeconds", "CPU s", 2},

@@ -14,7 +14,8 @@ constexpr std::size_t kFirstWidth = 20;
 constexpr std::size_t kLeastWidth = 9;
 
 std::size_t widthOf(const Table& table, std::size_t column) {
-  return column == 0 ? kFirstWidth : std::max(kLeastWidth, table.columns[column].title.size());
+  const Column& c = table.columns[column];
+  return std::max({column == 0 ? kFirstWidth : kLeastWidth, c.title.size(), c.width});
 }
 
 void printCell(const Table& table, std::size_t column, const std::string& text) {

@@ -5,6 +5,7 @@
 //   Report     all of a run, with the machine it ran on; reportJson turns it into JSON
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,9 +26,10 @@ struct Cell {
 };
 
 struct Column {
-  std::string key;    // in JSON
-  std::string title;  // on the terminal
-  int decimals = 1;   // of numbers, on the terminal
+  std::string key;        // in JSON
+  std::string title;      // on the terminal
+  int decimals = 1;       // of numbers, on the terminal
+  std::size_t width = 0;  // at least so wide there
 };
 
 struct Table {
