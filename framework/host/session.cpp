@@ -192,10 +192,10 @@ std::string invalidSentence(const RenderedImage& image, Estimator estimator) {
   add(invalid.infinite, "infinite");
   add(invalid.negative, "negative");
   const auto width = static_cast<std::uint64_t>(image.image.width);
-  const char* const who = estimator == Estimator::kWarmUp  ? "get_ray_radiance"
-                          : estimator == Estimator::kMis   ? "tracePathMIS"
-                          : estimator == Estimator::kSplit ? "tracePath"
-                                                           : "renderPixel";
+  const char* const who = estimator == Estimator::kWarmUp ? "get_ray_radiance"
+                          : estimator == Estimator::kMis  ? "tracePathMIS"
+                          : estimator == Estimator::kPath ? "renderPixel"
+                                                          : "tracePath";
   return fmt::format(
       "{} returned {} values, first in pixel column {}, row {}: a radiance is finite and not "
       "negative. They are left out of the picture; pixels that have no other value are magenta.",
