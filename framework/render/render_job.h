@@ -48,8 +48,6 @@ struct PathSharing {
   // Of Estimator::kReuse: pixels of a block whose paths serve all of them, a power of two; and
   // paths for the direct light of each camera ray.
   std::uint32_t pixels = 1, directPaths = 1;
-
-  bool operator==(const PathSharing&) const = default;
 };
 
 // Pixels of the image, from the top left.
