@@ -45,7 +45,7 @@ const std::vector<Way>& ways() {
       {"4 paths a ray", {"--split", "4"}},
       {"4 paths a ray, direct light shared", {"--split", "4", "--share-direct"}},
       {"4 pixels share paths", {"--reuse", "4"}},
-      {"16 pixels share paths", {"--reuse", "16"}},
+      {"32 pixels share paths", {"--reuse", "32"}},
       {"16 pixels share paths, 4 for direct light", {"--reuse", "16", "--direct-paths", "4"}}};
   return kWays;
 }

@@ -63,7 +63,8 @@ class RaysBench {
   double measurements() const {
     const auto powers = [](double most) { return std::floor(std::log2(most)) + 1.0; };
     return 4.0 * 3.0 * (powers(static_cast<double>(arguments_.mostTriangles)) + 1.0) +
-           4.0 * powers(kMostSpheres) + 4.0 * 2.0 * (arguments_.large ? 4.0 : 3.0) + 9.0;
+           2.0 * (powers(kFewestForHierarchy) + 1.0) + 4.0 * powers(kMostSpheres) +
+           4.0 * 2.0 * (arguments_.large ? 4.0 : 3.0) + 9.0;
   }
 
   RayRates measure(const RaySubject& subject, RayKind kind) {
@@ -85,6 +86,32 @@ class RaysBench {
         subjects.emplace_back(cornellBox(), RaySubject::Ways::kAll, "32: the Cornell box");
     }
     for (const Kind& kind : kKinds) triangleTable(kind, subjects);
+    fanTable(subjects);
+  }
+
+  // As many as are rendered with the flat loop.
+  void fanTable(const std::deque<RaySubject>& subjects) {
+    Table table{"fans",
+                fmt::format("Shadow rays of the flat loop from one point to {} of a lamp: million "
+                            "rays per second and core",
+                            kLanes),
+                {{"triangles", "triangles", 0},
+                 {"together", "at once"},
+                 {"apart", "one by one"},
+                 {"ratio", "ratio", 2}},
+                {}};
+    progress_.clear();
+    table.printHead();
+    for (const RaySubject& subject : subjects) {
+      if (subject.primitives() > kFewestForHierarchy) continue;
+      progress_.show(fmt::format("{} primitives", subject.primitives()));
+      const FanRates r = subject.fanRates(arguments_.seconds);
+      stopIfInterrupted();
+      progress_.advance(2.0);
+      progress_.clear();
+      table.add({subject.label(), 1e-6 * r.together, 1e-6 * r.apart, r.together / r.apart});
+    }
+    report_.tables.push_back(std::move(table));
   }
 
   void triangleTable(const Kind& kind, const std::deque<RaySubject>& subjects) {

@@ -1,5 +1,7 @@
 #include "bench/ray_rates.h"
 
+#include "bench/fan_loop.h"
+
 #include <cmath>
 #include <utility>
 
@@ -28,6 +30,13 @@ RayRates RaySubject::rates(RayKind kind, double seconds) const {
   RayRates rates;
   for (std::size_t k = 0; k < fields.size(); ++k) rates.*fields[k] = measured[k];
   return rates;
+}
+
+FanRates RaySubject::fanRates(double seconds) const {
+  const std::vector<Work> ways{FanLoop(flat_->flat, scene_, set_, true),
+                               FanLoop(flat_->flat, scene_, set_, false)};
+  const std::vector<double> measured = alternate(ways, seconds);
+  return {measured[0], measured[1]};
 }
 
 double RaySubject::disagreement() const {

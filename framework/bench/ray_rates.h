@@ -2,6 +2,7 @@
 //
 //   RaySubject   a scene with its rays and all intersectors that can be used with it
 //   RayRates     what they made
+//   FanRates     what the flat loop made of shadow rays from common points
 #pragma once
 
 #include "bench/raw_embree.h"
@@ -16,6 +17,11 @@ namespace pathmark::bench {
 // Rays per CPU second; 0 where an intersector was not measured.
 struct RayRates {
   double flat = 0.0, embree = 0.0, raw = 0.0;
+};
+
+// The same, of shadow rays from one point to several of a lamp.
+struct FanRates {
+  double together = 0.0, apart = 0.0;
 };
 
 class RaySubject {
@@ -36,6 +42,9 @@ class RaySubject {
 
   // In turns; `seconds` for each intersector.
   RayRates rates(RayKind kind, double seconds) const;
+
+  // The flat loop's.
+  FanRates fanRates(double seconds) const;
 
   // The share of the independent rays for which the flat loop and Embree find different distances.
   // Different rounding at an edge makes a few of a million.

@@ -299,6 +299,14 @@ bool EmbreeIntersector::occluded(const Point& origin, const Vector& segment) con
   return ray.tfar < 0.0f;
 }
 
+SegmentFan::Mask EmbreeIntersector::occluded(const SegmentFan& fan) const {
+  SegmentFan::Mask occluded(false);
+  for (std::size_t i = 0; i < kLanes; ++i)
+    if (fan.lanes[i])
+      occluded[i] = this->occluded(fan.origin, {fan.way[0][i], fan.way[1][i], fan.way[2][i]});
+  return occluded;
+}
+
 void warmUpEmbree() {
   constexpr int kTriangles = 1000;  // enough for several threads
   FlatScene scene;

@@ -1,7 +1,7 @@
 // EmbreeIntersector: rays against many triangles, by Embree's bounding volume hierarchy.
 //
 //   closest    the nearest triangle along a ray
-//   occluded   whether any triangle lies on a segment
+//   occluded   whether any triangle lies on a segment, or on which of a fan
 //
 // In Embree's robust mode, so that no ray slips through the shared edge of two triangles. Either of
 // Embree 3 and 4 serves.
@@ -9,6 +9,7 @@
 
 #include "intersect/primitive_hit.h"
 #include "intersect/quad_mesh.h"
+#include "intersect/segment_fan.h"
 #include "scene/flat_scene.h"
 
 #include <pathmark/types.h>
@@ -45,6 +46,9 @@ class EmbreeIntersector {
 
   // Returns whether a triangle lies on origin + t * segment, 0 < t < 1.
   bool occluded(const Point& origin, const Vector& segment) const;
+
+  // The same of each segment of a fan.
+  SegmentFan::Mask occluded(const SegmentFan& fan) const;
 
  private:
   struct Release {

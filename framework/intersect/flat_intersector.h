@@ -2,7 +2,7 @@
 // have lanes.
 //
 //   closest    the nearest primitive along a ray
-//   occluded   whether anything lies on a segment
+//   occluded   whether anything lies on a segment, or on which of a fan
 #pragma once
 
 #include "intersect/sphere_blocks.h"
@@ -35,6 +35,12 @@ class FlatIntersector {
   bool occluded(const Point& origin, const Vector& segment) const {
     return (!spheres_.empty() && spheres_.occluded(origin, segment)) ||
            (!triangles_.empty() && triangles_.occluded(origin, segment));
+  }
+
+  // The same of each segment of a fan, to the bit.
+  SegmentFan::Mask occluded(const SegmentFan& fan) const {
+    const SegmentFan::Mask bySpheres = spheres_.occluded(fan);
+    return bySpheres || triangles_.occluded({fan.origin, fan.way, fan.lanes && !bySpheres});
   }
 
  private:

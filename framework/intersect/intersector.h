@@ -1,7 +1,8 @@
 // Intersector: the way to meet a scene's primitives that its plan has chosen.
 //
 //   closest    the nearest primitive along a ray
-//   occluded   whether anything lies on a segment between two points that shadow rays may have
+//   occluded   whether anything lies on a segment between two points that shadow rays may have, or
+//              on which of a fan
 #pragma once
 
 #include "intersect/embree_intersector.h"
@@ -28,6 +29,13 @@ class Intersector {
   bool occluded(const Point& origin, const Vector& segment) const {
     return occluders_.occluded(origin, segment) ||
            (hierarchy_ && hierarchy_->occluded(origin, segment));
+  }
+
+  // The same of each segment of a fan.
+  SegmentFan::Mask occluded(const SegmentFan& fan) const {
+    const SegmentFan::Mask occluded = occluders_.occluded(fan);
+    if (!hierarchy_) return occluded;
+    return occluded || hierarchy_->occluded({fan.origin, fan.way, fan.lanes && !occluded});
   }
 
  private:

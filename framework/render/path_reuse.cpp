@@ -51,7 +51,8 @@ PathReuse::PathReuse(const SceneCore& core, const RenderJob& job, const SimpleCa
       camera_(camera),
       direct_(core, std::min(core.maxBounces(), 1)),
       rest_(core, std::max(core.maxBounces() - 1, 0)),
-      pixels_(job.sharing.pixels) {
+      pixels_(job.sharing.pixels),
+      receivers_(job.sharing.pixels) {
   const auto sampler = [&](std::uint64_t stream, std::uint32_t perRay) {
     return makePixelSampler(job.sampler, mix(job.seed ^ stream), job.raysPerPass * perRay);
   };
@@ -77,6 +78,8 @@ void PathReuse::render(const PixelBlock& block, std::uint64_t raysBefore, std::u
                                   raysBefore * job_.sharing.directPaths);
     pixel.paths->startPixel(block.left, block.top, raysBefore * job_.sharing.pixels);
   }
+  // Of a larger block before this one.
+  for (std::size_t k = pixels.size(); k < pixels_.size(); ++k) receivers_.takeAway(k);
   for (int m = 0; m < static_cast<int>(rays); ++m) {
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       slot.column.store(block.column(k), std::memory_order_relaxed);
@@ -87,8 +90,8 @@ void PathReuse::render(const PixelBlock& block, std::uint64_t raysBefore, std::u
                       sampler.next2D()),
             m, k, pixels[k]);
     }
-    for (Pixel& from : pixels)
-      if (from.path.lightsAll) giveToAll(from, pixels);
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+      if (pixels[k].path.lightsAll) giveToAll(k, pixels);
   }
   for (std::size_t k = 0; k < pixels.size(); ++k)
     means[k] = Colour(pixels[k].sum / static_cast<double>(rays));
@@ -107,12 +110,16 @@ Colour PathReuse::directLight(const Ray& cameraRay, int m, const Hit& first, Pix
   return sum / static_cast<float>(paths);
 }
 
-void PathReuse::trace(const Ray& cameraRay, int m, std::size_t k, Pixel& pixel) const {
+void PathReuse::trace(const Ray& cameraRay, int m, std::size_t k, Pixel& pixel) {
   Path& path = pixel.path;
   path.meetsSecond = path.lightsAll = false;
   countRaysOfThisThread(1);
   path.meetsFirst = core_.intersect(cameraRay, path.first);
-  if (!path.meetsFirst) return;
+  if (!path.meetsFirst) {
+    receivers_.takeAway(k);
+    return;
+  }
+  receivers_.put(k, path.first);
   path.wo = -cameraRay.direction;
   pixel.sum += directLight(cameraRay, m, path.first, pixel);
   if (core_.maxBounces() <= 1) return;
@@ -143,36 +150,34 @@ void PathReuse::findSecond(Path& path, Sampler& sampler) const {
                    core_.lobesOf(*y.brdf).shares().specular == 0.0f && dot(y.n, next.wi) < 0.0f;
 }
 
-void PathReuse::giveToAll(Pixel& from, std::span<Pixel> pixels) const {
-  const Hit& y = from.path.second;
+void PathReuse::giveToAll(std::size_t from, std::span<Pixel> pixels) {
+  Pixel& giver = pixels[from];
+  const Hit& y = giver.path.second;
+  countRaysOfThisThread(receivers_.look(core_, y, from));
   float density = 0.0f;  // of y, per unit area, by all paths
-  std::uint64_t shadowRays = 0;
-  for (Pixel& pixel : pixels) {
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    Pixel& pixel = pixels[k];
     const Path& path = pixel.path;
     const Hit& x = path.first;
     pixel.response = Colour(0.0f);
-    if (!path.meetsFirst) continue;
-    const bool own = &pixel == &from;
-    const Vector way = y.p - x.p;
-    const float squared = dot(way, way);
-    const Vector wi = own ? path.wi : way / std::sqrt(squared);
-    const float cosX = dot(x.n, wi), cosY = -dot(y.n, wi);
-    if (!own) {
-      if (!(cosX > 0.0f && cosY > 0.0f)) continue;
-      ++shadowRays;
-      if (!core_.visible(x, y)) continue;
+    if (k == from) {
+      const Vector way = y.p - x.p;
+      const float perArea = -dot(y.n, path.wi) / dot(way, way);
+      density += path.pdf * perArea;
+      pixel.response = x.brdf->brdf(path.wo, path.wi, x.n) * (dot(x.n, path.wi) * perArea);
+    } else if (receivers_.sees(k)) {
+      const Vector wi = receivers_.wi(k);
+      const float perArea = receivers_.perArea(k);
+      density += x.brdf->pdf(path.wo, wi, x.n) * perArea;
+      pixel.response = x.brdf->brdf(path.wo, wi, x.n) * (receivers_.cosX(k) * perArea);
     }
-    const float perArea = cosY / squared;
-    density += (own ? path.pdf : x.brdf->pdf(path.wo, wi, x.n)) * perArea;
-    pixel.response = x.brdf->brdf(path.wo, wi, x.n) * (cosX * perArea);
   }
-  countRaysOfThisThread(shadowRays);
   // Surfaces so near that the density overflows, or one that a student's function got wrong.
   if (!(density > 0.0f && std::isfinite(density))) {
-    from.sum += from.path.indirectLight();
+    giver.sum += giver.path.indirectLight();
     return;
   }
-  const Colour light = from.path.light / density;
+  const Colour light = giver.path.light / density;
   for (Pixel& pixel : pixels) pixel.sum += glm::dvec3(pixel.response * light);
 }
 

@@ -19,6 +19,7 @@
 
 #include "render/pixel_block.h"
 #include "render/progress_board.h"
+#include "render/receivers.h"
 #include "render/render_job.h"
 #include "render/scene_core.h"
 #include "sampling/pixel_sampler.h"
@@ -45,15 +46,16 @@ class PathReuse {
   struct Pixel;
 
   Colour directLight(const Ray& cameraRay, int m, const Hit& first, Pixel& pixel) const;
-  void trace(const Ray& cameraRay, int m, std::size_t k, Pixel& pixel) const;
+  void trace(const Ray& cameraRay, int m, std::size_t k, Pixel& pixel);
   void findSecond(Path& path, Sampler& sampler) const;
-  void giveToAll(Pixel& from, std::span<Pixel> pixels) const;
+  void giveToAll(std::size_t from, std::span<Pixel> pixels);
 
   const SceneCore& core_;
   const RenderJob& job_;
   const SimpleCamera& camera_;
   LitScene direct_, rest_;  // with one bounce at most, and with those behind the first
   std::vector<Pixel> pixels_;
+  Receivers receivers_;
 };
 
 }  // namespace pathmark

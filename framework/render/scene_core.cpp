@@ -140,12 +140,6 @@ bool SceneCore::visible(const Hit& from, const LightSample& to) const {
   return !intersector_.occluded(start.origin, end - start.origin);
 }
 
-bool SceneCore::visible(const Hit& from, const Hit& to) const {
-  const Vector way = to.p - from.p;
-  const Point start = from.spawnRay(way).origin;
-  return !intersector_.occluded(start, to.spawnRay(-way).origin - start);
-}
-
 // Materials are few.
 const MaterialLobes& SceneCore::lobesOf(const BRDF& material) const {
   std::size_t i = 0;

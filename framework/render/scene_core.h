@@ -41,8 +41,8 @@ class SceneCore {
   bool intersect(const Ray& ray, Hit& hit) const;
   bool visible(const Hit& from, const LightSample& to) const;
 
-  // Whether nothing lies between two points of surfaces.
-  bool visible(const Hit& from, const Hit& to) const;
+  // On which segments of a fan, whose ends were moved off surfaces, anything lies.
+  SegmentFan::Mask occluded(const SegmentFan& fan) const { return intersector_.occluded(fan); }
 
   // The scene's triangles in the form of part 0; spheres are left out.
   std::vector<Triangle> warmUpTriangles() const;

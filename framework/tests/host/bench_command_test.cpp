@@ -24,6 +24,13 @@ TEST_F(BenchCommand, RaysMeasuresEveryKindForEveryNumberOfPrimitives) {
                        row.at("flat").get<double>() / row.at("embree").get<double>());
     }
   }
+  const json& fans = report.at("tables").at("fans");
+  ASSERT_EQ(fans.size(), 8u);
+  for (const json& row : fans) {
+    EXPECT_GT(row.at("apart").get<double>(), 0.0);
+    EXPECT_DOUBLE_EQ(row.at("ratio").get<double>(),
+                     row.at("together").get<double>() / row.at("apart").get<double>());
+  }
   EXPECT_EQ(report.at("tables").at("spheres").size(), 9u);
   EXPECT_EQ(report.at("tables").at("meshes").size(), 3u);
   EXPECT_TRUE(report.at("figures").contains("crossover"));
