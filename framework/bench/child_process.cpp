@@ -1,5 +1,7 @@
 #include "bench/child_process.h"
 
+#include "host/interrupt.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -48,6 +50,15 @@ double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
+// Leaves the ended child to be asked for, so that its number is nobody else's.
+bool hasEnded(pid_t child, int flags) {
+  siginfo_t info{};
+  while (waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT | flags) < 0 &&
+         errno == EINTR) {
+  }
+  return info.si_pid == child;
+}
+
 // 0 when the process has gone.
 std::uint64_t peakOf(pid_t process) {
   std::ifstream in("/proc/" + std::to_string(process) + "/status");
@@ -69,6 +80,10 @@ std::vector<pid_t> childrenOf(pid_t process) {
 ChildUsage runMeasured(const std::vector<std::string>& arguments, const fs::path& log) {
   const Clock::time_point started = Clock::now();
   const pid_t child = start(arguments, log);
+  {
+    const InterruptsToo interrupts(child);
+    hasEnded(child, 0);
+  }
   int status = 0;
   rusage usage{};
   while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
@@ -81,12 +96,17 @@ PeakMemory measureMemory(const std::vector<std::string>& arguments, const fs::pa
   const pid_t child = start(arguments, log);
   PeakMemory peak;
   std::map<pid_t, std::uint64_t> peaks;
+  {
+    const InterruptsToo interrupts(child);
+    while (!hasEnded(child, WNOHANG)) {
+      peak.program = std::max(peak.program, peakOf(child));
+      for (const pid_t grandchild : childrenOf(child))
+        peaks[grandchild] = std::max(peaks[grandchild], peakOf(grandchild));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
   int status = 0;
-  while (waitpid(child, &status, WNOHANG) == 0) {
-    peak.program = std::max(peak.program, peakOf(child));
-    for (const pid_t grandchild : childrenOf(child))
-      peaks[grandchild] = std::max(peaks[grandchild], peakOf(grandchild));
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   peak.exitCode = exitCodeOf(status);
   for (const auto& [pid, bytes] : peaks) peak.children += bytes;

@@ -1,5 +1,7 @@
 #include "host/interrupt.h"
 
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 
 #include <time.h>
@@ -13,6 +15,8 @@ constexpr int kSignals[] = {SIGINT, SIGTERM};
 // A signal handler can reach nothing else.
 volatile std::sig_atomic_t interruptSeen = 0;
 timespec firstSeen;
+std::atomic<pid_t> toldToo{0};  // 0: nobody
+static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 double secondsSinceFirst() {
   timespec now;
@@ -25,6 +29,9 @@ double secondsSinceFirst() {
 constexpr double kOneInterrupt = 0.1;
 
 void onInterrupt(int signal) {
+  const int error = errno;
+  if (const pid_t child = toldToo.load(); child > 0) kill(child, signal);
+  errno = error;
   if (interruptSeen == 0) {
     clock_gettime(CLOCK_MONOTONIC, &firstSeen);
     interruptSeen = 1;
@@ -48,5 +55,12 @@ void watchForInterrupt() {
 }
 
 bool interrupted() { return interruptSeen != 0; }
+
+InterruptsToo::InterruptsToo(pid_t child) {
+  toldToo.store(child);
+  if (interrupted()) kill(child, SIGTERM);
+}
+
+InterruptsToo::~InterruptsToo() { toldToo.store(0); }
 
 }  // namespace pathmark

@@ -1,9 +1,21 @@
 // Ctrl-C asks a long command to stop and to keep what it has; a second one ends it at once.
 #pragma once
 
+#include <sys/types.h>
+
 namespace pathmark {
 
 void watchForInterrupt();
 bool interrupted();
+
+// A child process for which this one waits: as long as this object lives, the child is told of the
+// interrupts that this process is. A terminal's Ctrl-C reaches both, kill(1) only one.
+class InterruptsToo {
+ public:
+  explicit InterruptsToo(pid_t child);
+  ~InterruptsToo();
+  InterruptsToo(const InterruptsToo&) = delete;
+  InterruptsToo& operator=(const InterruptsToo&) = delete;
+};
 
 }  // namespace pathmark
