@@ -37,8 +37,10 @@ std::string withoutNewline(std::string text) {
 }  // namespace
 
 VirtualDisplay::VirtualDisplay(int width, int height)
-    : server_({"Xvfb", "-displayfd", "1", "-screen", "0", fmt::format("{}x{}x24", width, height),
-               "-nolisten", "tcp"},
+    // Without -noreset the server begins anew when its last client has gone, here a tool that
+    // looked for the window, and turns away the window that comes at that moment.
+    : server_({"Xvfb", "-noreset", "-displayfd", "1", "-screen", "0",
+               fmt::format("{}x{}x24", width, height), "-nolisten", "tcp"},
               folder_.path(), folder_ / "log") {
   const auto number = [&] {
     const std::string text = textOf(folder_ / "log");
