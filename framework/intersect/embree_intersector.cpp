@@ -216,12 +216,23 @@ constexpr float kNearest = std::numeric_limits<float>::min();  // Embree would a
 
 // Whether the triangle is ahead of the origin by more than rounding can feign. Of rays from far
 // outside the scene the errors are larger than its scale tells.
-bool isFarAhead(const RTCRayHit& query, const EmbreeIntersector::Scale& scale) {
-  const Vector n(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
-  const Vector way = query.ray.tfar * Vector(query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
+bool isFarAhead(const Ray& ray, float t, const Vector& n, const EmbreeIntersector::Scale& scale) {
+  const Vector way = t * ray.direction;
   const float height = dot(way, n);
   return height * height > scale.heightError * scale.heightError * dot(n, n) &&
          dot(way, way) <= scale.size * scale.size;
+}
+
+// Returns whether the triangle that Embree has found is ahead of the ray's origin indeed, and only
+// then sets `hit`.
+bool accept(const EmbreeIntersector::Scene& scene, const Ray& ray, float t, const FoundHit& found,
+            PrimitiveHit& hit) {
+  const std::uint32_t index = triangleOf(scene, found);
+  const bool ahead =
+      isFarAhead(ray, t, found.normal, scene.scale) ||
+      planeDistance(scene.view, scene.view.triangles[index], ray.origin, ray.direction) > 0.0f;
+  if (ahead) hit = {t, index, false};
+  return ahead;
 }
 
 RTCRay rayFrom(const Point& origin, const Vector& direction, float tMin, float tMax) {
@@ -238,6 +249,70 @@ RTCRay rayFrom(const Point& origin, const Vector& direction, float tMin, float t
   return ray;
 }
 
+// Rays that Embree traces together, of which it is told that they lie near each other.
+template <class Query, std::size_t kSize>
+class Packet {
+ public:
+  Packet() {
+    for (unsigned& geometry : query_.hit.geomID) geometry = RTC_INVALID_GEOMETRY_ID;
+  }
+
+  void put(std::size_t i, const Ray& ray, float tMax) {
+    if (!isFinite(ray.origin, ray.direction)) return;
+    valid_[i] = -1;
+    query_.ray.org_x[i] = ray.origin.x;
+    query_.ray.org_y[i] = ray.origin.y;
+    query_.ray.org_z[i] = ray.origin.z;
+    query_.ray.dir_x[i] = ray.direction.x;
+    query_.ray.dir_y[i] = ray.direction.y;
+    query_.ray.dir_z[i] = ray.direction.z;
+    query_.ray.tnear[i] = kNearest;
+    query_.ray.tfar[i] = tMax;
+    query_.ray.mask[i] = ~0u;
+  }
+
+  void trace(RTCScene scene) {
+#if PATHMARK_EMBREE == 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    if constexpr (kSize == 16)
+      rtcIntersect16(valid_.data(), scene, &query_, &arguments);
+    else
+      rtcIntersect8(valid_.data(), scene, &query_, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    if constexpr (kSize == 16)
+      rtcIntersect16(valid_.data(), scene, &context, &query_);
+    else
+      rtcIntersect8(valid_.data(), scene, &context, &query_);
+#endif
+  }
+
+  bool meets(std::size_t i) const { return query_.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID; }
+  float t(std::size_t i) const { return query_.ray.tfar[i]; }
+  FoundHit found(std::size_t i) const {
+    const auto& hit = query_.hit;
+    return {hit.primID[i], hit.u[i], hit.v[i], Vector(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i])};
+  }
+
+ private:
+  Query query_{};
+  alignas(64) std::array<int, kSize> valid_{};  // -1: there is a ray
+};
+
+using Packet16 = Packet<RTCRayHit16, 16>;
+using Packet8 = Packet<RTCRayHit8, 8>;
+
+// The processor's own: others Embree takes apart.
+std::size_t packetSizeOf(RTCDevice device) {
+  if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0) return 16;
+  if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) != 0) return 8;
+  return 1;
+}
+
 }  // namespace
 
 void EmbreeIntersector::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
@@ -251,6 +326,7 @@ EmbreeIntersector::EmbreeIntersector(const FlatSceneView& scene)
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   addTriangles(device_.get(), scene_.get(), *triangles_);
   rtcCommitScene(scene_.get());
+  packetSize_ = packetSizeOf(device_.get());
   if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE) {
     throw std::runtime_error("Embree cannot build the scene: error " +
                              std::to_string(static_cast<int>(error)) + ".");
@@ -272,18 +348,40 @@ bool EmbreeIntersector::closest(const Ray& ray, float tMax, PrimitiveHit& hit) c
     rtcIntersect1(scene_.get(), &context, &query);
 #endif
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-    const std::uint32_t index =
-        triangleOf(*triangles_, {query.hit.primID, query.hit.u, query.hit.v,
-                                 Vector(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)});
-    const FlatSceneView& view = triangles_->view;
-    if (isFarAhead(query, triangles_->scale) ||
-        planeDistance(view, view.triangles[index], ray.origin, ray.direction) > 0.0f) {
-      hit = {query.ray.tfar, index, false};
-      return true;
-    }
+    const FoundHit found{query.hit.primID, query.hit.u, query.hit.v,
+                         Vector(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)};
+    if (accept(*triangles_, ray, query.ray.tfar, found, hit)) return true;
     // Behind the origin, but for rounding.
     tMin = std::nextafter(query.ray.tfar, std::numeric_limits<float>::infinity());
   }
+}
+
+std::uint32_t EmbreeIntersector::closest(std::span<const Ray> rays, std::span<const float> tMax,
+                                         std::span<PrimitiveHit> hits) const {
+  if (packetSize_ == 16) return closestOfPacket<Packet16>(rays, tMax, hits);
+  if (packetSize_ == 8) return closestOfPacket<Packet8>(rays, tMax, hits);
+  std::uint32_t met = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    if (closest(rays[i], tMax[i], hits[i])) met |= 1u << i;
+  return met;
+}
+
+template <class Packet>
+std::uint32_t EmbreeIntersector::closestOfPacket(std::span<const Ray> rays,
+                                                 std::span<const float> tMax,
+                                                 std::span<PrimitiveHit> hits) const {
+  Packet packet;
+  for (std::size_t i = 0; i < rays.size(); ++i) packet.put(i, rays[i], tMax[i]);
+  packet.trace(scene_.get());
+  std::uint32_t met = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!packet.meets(i)) continue;
+    // Behind the origin, but for rounding: seldom.
+    if (accept(*triangles_, rays[i], packet.t(i), packet.found(i), hits[i]) ||
+        closest(rays[i], tMax[i], hits[i]))
+      met |= 1u << i;
+  }
+  return met;
 }
 
 bool EmbreeIntersector::occluded(const Point& origin, const Vector& segment) const {

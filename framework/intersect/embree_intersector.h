@@ -1,6 +1,6 @@
 // EmbreeIntersector: rays against many triangles, by Embree's bounding volume hierarchy.
 //
-//   closest    the nearest triangle along a ray
+//   closest    the nearest triangle along a ray, or along each of a packet
 //   occluded   whether any triangle lies on a segment, or on which of a fan
 //
 // In Embree's robust mode, so that no ray slips through the shared edge of two triangles. Either of
@@ -14,13 +14,18 @@
 
 #include <pathmark/types.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
 
 namespace pathmark {
+
+inline constexpr std::size_t kMostInPacket = 16;
 
 class EmbreeIntersector {
  public:
@@ -44,6 +49,14 @@ class EmbreeIntersector {
   // Returns whether the ray meets a triangle at 0 < t < tMax, and only then sets `hit`.
   bool closest(const Ray& ray, float tMax, PrimitiveHit& hit) const;
 
+  // How many rays that lie near each other are met together faster than one by one; 1: none.
+  std::size_t packetSize() const { return packetSize_; }
+
+  // The same of each of at most packetSize() rays and their tMax: bit i of what it returns says
+  // whether ray i meets a triangle. A ray that grazes an edge may meet another one than by itself.
+  std::uint32_t closest(std::span<const Ray> rays, std::span<const float> tMax,
+                        std::span<PrimitiveHit> hits) const;
+
   // Returns whether a triangle lies on origin + t * segment, 0 < t < 1.
   bool occluded(const Point& origin, const Vector& segment) const;
 
@@ -51,6 +64,10 @@ class EmbreeIntersector {
   SegmentFan::Mask occluded(const SegmentFan& fan) const;
 
  private:
+  template <class Packet>
+  std::uint32_t closestOfPacket(std::span<const Ray> rays, std::span<const float> tMax,
+                                std::span<PrimitiveHit> hits) const;
+
   struct Release {
     void operator()(RTCDeviceTy* device) const;
     void operator()(RTCSceneTy* scene) const;
@@ -59,6 +76,7 @@ class EmbreeIntersector {
   std::unique_ptr<const Scene> triangles_;  // at one address, which Embree is told
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;
+  std::size_t packetSize_ = 1;
 };
 
 // Embree and its task scheduler look at the machine when they are first used: at its processors,

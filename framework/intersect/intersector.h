@@ -1,6 +1,6 @@
 // Intersector: the way to meet a scene's primitives that its plan has chosen.
 //
-//   closest    the nearest primitive along a ray
+//   closest    the nearest primitive along a ray, or along each of a packet
 //   occluded   whether anything lies on a segment between two points that shadow rays may have, or
 //              on which of a fan
 #pragma once
@@ -9,7 +9,10 @@
 #include "intersect/flat_intersector.h"
 #include "render/plan.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace pathmark {
 
@@ -24,6 +27,12 @@ class Intersector {
     if (!hierarchy_) return met;
     return hierarchy_->closest(ray, met ? hit.t : kInfinity, hit) || met;
   }
+
+  // How many camera rays are met together; 1: they are met one by one.
+  std::size_t packetSize() const { return packetSize_; }
+
+  // The same of each of at most packetSize() rays: bit i of what it returns is of ray i.
+  std::uint32_t closest(std::span<const Ray> rays, std::span<PrimitiveHit> hits) const;
 
   // Returns whether anything lies on origin + t * segment, 0 < t < 1.
   bool occluded(const Point& origin, const Vector& segment) const {
@@ -41,6 +50,7 @@ class Intersector {
  private:
   FlatIntersector flat_, occluders_;  // without the triangles that are in the hierarchy
   std::optional<EmbreeIntersector> hierarchy_;
+  std::size_t packetSize_ = 1;
 };
 
 }  // namespace pathmark

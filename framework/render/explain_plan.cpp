@@ -205,6 +205,9 @@ std::vector<PlanLine> explainPlan(const Plan& plan, const FlatSceneView& scene) 
   std::vector<PlanLine> lines{triangles(plan, scene),  spheres(scene),   backs(scene),
                               shadowRays(plan, scene), materials(scene), lights(scene),
                               choiceOfLights(scene),   paths(scene)};
+  if (plan.cameraRaysTogether)
+    lines.insert(lines.begin() + 3, {"camera rays", "those of a pixel in packets",
+                                     "they go nearly the same way through a hierarchy"});
   if (scene.triangles.empty() && scene.spheres.empty())
     lines.push_back({"picture", "black", "there is no shape: every ray leaves the scene"});
   else if (scene.lights.empty())

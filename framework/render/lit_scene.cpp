@@ -1,6 +1,7 @@
 // The part of LitScene that the framework gives.
 #include <pathmark/lit_scene.h>
 
+#include "render/camera_hits.h"
 #include "render/first_surface.h"
 #include "render/path_filter.h"
 #include "render/ray_count.h"
@@ -14,6 +15,7 @@ namespace {
 
 thread_local std::uint64_t rayCount = 0;
 thread_local PathFilter* pathFilter = nullptr;
+thread_local CameraHits* cameraHits = nullptr;
 
 // Of a path that shares its camera ray.
 struct FirstSurface {
@@ -26,7 +28,9 @@ thread_local FirstSurface first;
 // One look for all rays of a normal render.
 thread_local bool isPlain = true;
 
-void lookAgain() { isPlain = pathFilter == nullptr && !first.waits && !first.dark; }
+void lookAgain() {
+  isPlain = pathFilter == nullptr && cameraHits == nullptr && !first.waits && !first.dark;
+}
 
 bool intersectFiltered(const SceneCore& core, const Ray& ray, Hit& hit) {
   if (!pathFilter->follows(ray.origin)) return false;
@@ -46,6 +50,7 @@ bool intersectSpecially(const SceneCore& core, const Ray& ray, Hit& hit) {
   lookAgain();
   if (pathFilter != nullptr) return intersectFiltered(core, ray, hit);
   ++rayCount;
+  if (cameraHits != nullptr && cameraHits->isNext(ray)) return cameraHits->take(hit);
   return core.intersect(ray, hit);
 }
 
@@ -57,6 +62,11 @@ void restartRayCount() { rayCount = 0; }
 
 void filterPathsOfThisThread(PathFilter* filter) {
   pathFilter = filter;
+  lookAgain();
+}
+
+void cameraHitsOfThisThread(CameraHits* hits) {
+  cameraHits = hits;
   lookAgain();
 }
 

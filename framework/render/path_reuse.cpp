@@ -5,6 +5,7 @@
 #include "render/ray_count.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pathmark {
@@ -51,6 +52,7 @@ PathReuse::PathReuse(const SceneCore& core, const RenderJob& job, const SimpleCa
       camera_(camera),
       direct_(core, std::min(core.maxBounces(), 1)),
       rest_(core, std::max(core.maxBounces() - 1, 0)),
+      cameraRays_(job.sharing.pixels),
       pixels_(job.sharing.pixels),
       receivers_(job.sharing.pixels) {
   const auto sampler = [&](std::uint64_t stream, std::uint32_t perRay) {
@@ -82,13 +84,16 @@ void PathReuse::render(const PixelBlock& block, std::uint64_t raysBefore, std::u
   for (std::size_t k = pixels.size(); k < pixels_.size(); ++k) receivers_.takeAway(k);
   for (int m = 0; m < static_cast<int>(rays); ++m) {
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-      slot.column.store(block.column(k), std::memory_order_relaxed);
-      slot.row.store(block.row(k), std::memory_order_relaxed);
       Sampler& sampler = *pixels[k].rays;
       sampler.startRay(m);
-      trace(cameraRay(camera_, block.column(k), block.row(k), m, static_cast<int>(rays),
-                      sampler.next2D()),
-            m, k, pixels[k]);
+      cameraRays_[k] = cameraRay(camera_, block.column(k), block.row(k), m, static_cast<int>(rays),
+                                 sampler.next2D());
+    }
+    meetFirst(pixels);
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      slot.column.store(block.column(k), std::memory_order_relaxed);
+      slot.row.store(block.row(k), std::memory_order_relaxed);
+      trace(cameraRays_[k], m, k, pixels[k]);
     }
     for (std::size_t k = 0; k < pixels.size(); ++k)
       if (pixels[k].path.lightsAll) giveToAll(k, pixels);
@@ -110,11 +115,23 @@ Colour PathReuse::directLight(const Ray& cameraRay, int m, const Hit& first, Pix
   return sum / static_cast<float>(paths);
 }
 
+void PathReuse::meetFirst(std::span<Pixel> pixels) {
+  countRaysOfThisThread(pixels.size());
+  for (std::size_t begin = 0; begin < pixels.size(); begin += core_.packetSize()) {
+    const std::size_t count = std::min(core_.packetSize(), pixels.size() - begin);
+    std::array<Hit, kMostInPacket> hits;
+    const std::uint32_t met = core_.intersect(std::span(cameraRays_).subspan(begin, count), hits);
+    for (std::size_t i = 0; i < count; ++i) {
+      Path& path = pixels[begin + i].path;
+      path.meetsFirst = (met >> i & 1u) != 0;
+      if (path.meetsFirst) path.first = hits[i];
+    }
+  }
+}
+
 void PathReuse::trace(const Ray& cameraRay, int m, std::size_t k, Pixel& pixel) {
   Path& path = pixel.path;
   path.meetsSecond = path.lightsAll = false;
-  countRaysOfThisThread(1);
-  path.meetsFirst = core_.intersect(cameraRay, path.first);
   if (!path.meetsFirst) {
     receivers_.takeAway(k);
     return;

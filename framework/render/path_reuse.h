@@ -46,6 +46,7 @@ class PathReuse {
   struct Pixel;
 
   Colour directLight(const Ray& cameraRay, int m, const Hit& first, Pixel& pixel) const;
+  void meetFirst(std::span<Pixel> pixels);
   void trace(const Ray& cameraRay, int m, std::size_t k, Pixel& pixel);
   void findSecond(Path& path, Sampler& sampler) const;
   void giveToAll(std::size_t from, std::span<Pixel> pixels);
@@ -53,7 +54,8 @@ class PathReuse {
   const SceneCore& core_;
   const RenderJob& job_;
   const SimpleCamera& camera_;
-  LitScene direct_, rest_;  // with one bounce at most, and with those behind the first
+  LitScene direct_, rest_;       // with one bounce at most, and with those behind the first
+  std::vector<Ray> cameraRays_;  // of the pixels of a block
   std::vector<Pixel> pixels_;
   Receivers receivers_;
 };

@@ -30,6 +30,8 @@ Plan planFor(const FlatSceneView& scene, ShadowOrigins origins, Skips skips) {
     plan.triangles = TriangleTest::kHierarchy;
   else if (!scene.triangles.empty())
     plan.triangles = TriangleTest::kFlatLoop;
+  plan.cameraRaysTogether =
+      plan.triangles == TriangleTest::kHierarchy && skips.has(Skip::kSingleCameraRays);
   if (!skips.has(Skip::kBoundingSurfaces)) origins = ShadowOrigins::kAnywhere;
   Occluders occluders = occludersFor(scene, plan.triangles, origins);
   plan.occludingTriangles = std::move(occluders.triangles);

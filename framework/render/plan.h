@@ -39,6 +39,8 @@ struct Plan {
   std::vector<std::uint32_t> occludingTriangles, occludingSpheres;
 
   FlatTests flatTests;
+
+  bool cameraRaysTogether = false;  // those of a pixel are traced before their paths ask for them
 };
 
 Plan planFor(const FlatSceneView& scene, ShadowOrigins origins = ShadowOrigins::kSurfaces,

@@ -1,5 +1,6 @@
 #include "render/render_tiles.h"
 
+#include "render/camera_hits.h"
 #include "render/camera_rays.h"
 #include "render/path_filter.h"
 #include "render/path_reuse.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -43,8 +45,15 @@ class PixelRenderer {
       filter_ = std::make_unique<PathFilter>(core, job.paths, camera.eye(), job.seed);
     if (job.estimator == Estimator::kSplit) split_ = std::make_unique<SplitPaths>(core, job);
     filterPathsOfThisThread(filter_.get());
+    const bool asksForCameraRays =
+        job.estimator != Estimator::kWarmUp && job.estimator != Estimator::kReuse;
+    if (core.packetSize() > 1 && asksForCameraRays && !filter_) cameraHits_.emplace(core);
+    cameraHitsOfThisThread(cameraHits_ ? &*cameraHits_ : nullptr);
   }
-  ~PixelRenderer() { filterPathsOfThisThread(nullptr); }
+  ~PixelRenderer() {
+    cameraHitsOfThisThread(nullptr);
+    filterPathsOfThisThread(nullptr);
+  }
   PixelRenderer(const PixelRenderer&) = delete;
   PixelRenderer& operator=(const PixelRenderer&) = delete;
 
@@ -62,6 +71,7 @@ class PixelRenderer {
         return meanOf(i, j, rays,
                       [&](const Ray& ray, int m) { return split_->radiance(ray, m, *sampler_); });
       default:
+        traceAhead(rays, [&](int m) { return rayOfRenderPixel(i, j, m, rays); });
         return scene_.renderPixel(i, j, camera_, static_cast<int>(rays), *sampler_);
     }
   }
@@ -70,12 +80,34 @@ class PixelRenderer {
   // By the framework's own camera rays: what renderPixel calls is tracePath, and nothing else.
   template <class Radiance>
   Colour meanOf(int i, int j, std::uint32_t rays, Radiance radiance) {
+    const auto ray = [&](int m) {
+      sampler_->startRay(m);
+      return cameraRay(camera_, i, j, m, static_cast<int>(rays), sampler_->next2D());
+    };
+    traceAhead(rays, ray);
     glm::dvec3 sum(0.0);
     for (int m = 0; m < static_cast<int>(rays); ++m) {
-      sampler_->startRay(m);
-      sum += radiance(cameraRay(camera_, i, j, m, static_cast<int>(rays), sampler_->next2D()), m);
+      const Ray next = ray(m);
+      sum += radiance(next, m);
     }
     return sum / static_cast<double>(rays);
+  }
+
+  // The m-th that the coursework's renderPixel will make, if it is as in part 1.
+  Ray rayOfRenderPixel(int i, int j, int m, std::uint32_t rays) {
+    sampler_->startRay(m);
+    const vec2 st = sampler_->next2D();
+    const int n = static_cast<int>(std::sqrt(static_cast<double>(rays)));
+    return m < n * n ? camera_.StratifiedRandomRay(i, j, m % n, m / n, n, st.x, st.y)
+                     : camera_.StratifiedRandomRay(i, j, 0, 0, 1, st.x, st.y);
+  }
+
+  template <class RayOf>
+  void traceAhead(std::uint32_t rays, RayOf rayOf) {
+    if (!cameraHits_) return;
+    raysAhead_.clear();
+    for (int m = 0; m < static_cast<int>(rays); ++m) raysAhead_.push_back(rayOf(m));
+    cameraHits_->trace(raysAhead_);
   }
 
   // Needs part 0 only.
@@ -90,8 +122,10 @@ class PixelRenderer {
   LitScene scene_;
   std::unique_ptr<PixelSampler> sampler_;
   std::vector<Triangle> warmUp_;
-  std::unique_ptr<PathFilter> filter_;  // null: all light is let through
-  std::unique_ptr<SplitPaths> split_;   // null: no paths are split
+  std::unique_ptr<PathFilter> filter_;    // null: all light is let through
+  std::unique_ptr<SplitPaths> split_;     // null: no paths are split
+  std::optional<CameraHits> cameraHits_;  // none: camera rays are traced one by one
+  std::vector<Ray> raysAhead_;
 };
 
 // Adds a pass of a pixel to the film, unless it is no radiance.

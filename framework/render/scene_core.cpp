@@ -2,6 +2,8 @@
 
 #include "math/rounding.h"
 
+#include <array>
+
 namespace pathmark {
 
 namespace {
@@ -98,12 +100,24 @@ void SceneCore::buildLights() {
 bool SceneCore::intersect(const Ray& ray, Hit& hit) const {
   PrimitiveHit primitive;
   if (!intersector_.closest(ray, primitive)) return false;
+  meet(ray, primitive, hit);
+  return true;
+}
+
+std::uint32_t SceneCore::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  std::array<PrimitiveHit, kMostInPacket> primitives;
+  const std::uint32_t met = intersector_.closest(rays, primitives);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    if ((met >> i & 1u) != 0) meet(rays[i], primitives[i], hits[i]);
+  return met;
+}
+
+void SceneCore::meet(const Ray& ray, const PrimitiveHit& primitive, Hit& hit) const {
   const Surface& surface =
       primitive.isSphere ? meetSphere(ray, primitive, hit) : meetTriangle(ray, primitive, hit);
   hit.brdf = surface.brdf;
   hit.emission = surface.emission;
   hit.light = surface.light;
-  return true;
 }
 
 const SceneCore::Surface& SceneCore::meetSphere(const Ray& ray, const PrimitiveHit& primitive,

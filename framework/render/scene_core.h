@@ -13,6 +13,8 @@
 #include <pathmark/lit_scene.h>
 #include <pathmark/warmup.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -39,6 +41,14 @@ class SceneCore {
   const MaterialLobes& lobesOf(const BRDF& material) const;
 
   bool intersect(const Ray& ray, Hit& hit) const;
+
+  // How many camera rays are met together faster than one by one; 1: none.
+  std::size_t packetSize() const { return intersector_.packetSize(); }
+
+  // Of at most so many rays. Bit i of what it returns says whether ray i meets anything, and only
+  // then is hits[i] set.
+  std::uint32_t intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+
   bool visible(const Hit& from, const LightSample& to) const;
 
   // On which segments of a fan, whose ends were moved off surfaces, anything lies.
@@ -56,6 +66,7 @@ class SceneCore {
   };
 
   void buildLights();
+  void meet(const Ray& ray, const PrimitiveHit& primitive, Hit& hit) const;
   const Surface& meetSphere(const Ray& ray, const PrimitiveHit& primitive, Hit& hit) const;
   const Surface& meetTriangle(const Ray& ray, const PrimitiveHit& primitive, Hit& hit) const;
 

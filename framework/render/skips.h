@@ -15,6 +15,7 @@ enum class Skip : std::uint32_t {
   kSecondTriangles = 8,   // two triangles that make a quad are met as one
   kBackTests = 16,        // backs are not asked for where no triangle has a front only
   kEmptyKinds = 32,       // no sphere test without spheres, no triangle test without triangles
+  kSingleCameraRays = 64  // those of a pixel go through a hierarchy together, not one by one
 };
 
 class Skips {

@@ -50,6 +50,7 @@ constexpr std::array kSkips{
     SkipLine{Skip::kSecondTriangles, "second triangles", "two triangles of a quad as one"},
     SkipLine{Skip::kBackTests, "back tests", "backs where no triangle hides one"},
     SkipLine{Skip::kEmptyKinds, "empty kinds", "spheres or triangles where there are none"},
+    SkipLine{Skip::kSingleCameraRays, "single camera rays", "those of a pixel as packets"},
 };
 
 bool hasPairs(const FlatSceneView& view) {
@@ -80,6 +81,8 @@ bool applies(Skip skip, const FlatSceneView& view) {
       return flat && !view.anyFrontOnly();
     case Skip::kEmptyKinds:
       return !flat || view.spheres.empty();
+    case Skip::kSingleCameraRays:
+      return plan.cameraRaysTogether;
   }
   return false;
 }

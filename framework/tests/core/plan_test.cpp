@@ -48,6 +48,13 @@ TEST(Plan, LeavesOutNothingThatASwitchKeeps) {
   EXPECT_FALSE(without(few, Skip::kSecondTriangles).flatTests.pairs);
   EXPECT_TRUE(without(few, Skip::kBackTests).flatTests.backsOfAll);
   EXPECT_TRUE(without(few, Skip::kEmptyKinds).flatTests.kindsOfNothing);
+  EXPECT_FALSE(without(many, Skip::kSingleCameraRays).cameraRaysTogether);
+}
+
+TEST(Plan, TracesCameraRaysTogetherThroughAHierarchyOnly) {
+  EXPECT_TRUE(planFor(randomScene(kFewestForHierarchy, 3).view()).cameraRaysTogether);
+  EXPECT_FALSE(planFor(randomScene(20, 3).view()).cameraRaysTogether);
+  EXPECT_FALSE(planFor(randomScene(0, 3).view()).cameraRaysTogether);
 }
 
 // Whatever is left out, rays meet the same.
@@ -128,6 +135,8 @@ TEST(ExplainPlan, TellsWhichTestsARayGoesThrough) {
             std::to_string(kLanes + 1) + ", a flat loop of 2 steps");
   EXPECT_EQ(decisionOf(spheres, "backs"), "not asked for");
   EXPECT_EQ(decisionOf(explained(randomScene(1000, 0)), "triangles"), "1000 in Embree's hierarchy");
+  EXPECT_EQ(decisionOf(explained(randomScene(1000, 0)), "camera rays"),
+            "those of a pixel in packets");
 }
 
 TEST(ExplainPlan, NamesTheFunctionThatSamplesALight) {
