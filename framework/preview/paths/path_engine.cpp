@@ -20,6 +20,7 @@ void PathEngine::ask(PathRequest request, std::function<void()> wake) {
 void PathEngine::forget() {
   const std::scoped_lock lock(mutex_);
   wish_ = {wish_.number + 1};
+  wake_ = nullptr;
   answer_.reset();
   changed_.notify_one();
 }

@@ -3,11 +3,15 @@
 #include "preview/paths/path_engine.h"
 
 #include "host/session.h"
+#include "support/background_program.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <future>
+#include <thread>
 
 namespace pathmark::preview {
 namespace {
@@ -173,6 +177,18 @@ TEST_F(PathEngineTest, ForgetsWhenAsked) {
   engine_.forget();
   EXPECT_EQ(engine_.answer(), nullptr);
   EXPECT_NE(answerToRequest(), nullptr);
+}
+
+TEST_F(PathEngineTest, WakesForAnswersOnly) {
+  TestCoursework coursework;
+  request_.coursework = build(coursework);
+  std::atomic<int> woken = 0;
+  engine_.ask(request_, [&] { ++woken; });
+  EXPECT_TRUE(test::waitFor([&] { return woken == 1; }));
+  engine_.forget();
+  EXPECT_TRUE(test::waitFor([&] { return !engine_.working(); }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // what comes after the work
+  EXPECT_EQ(woken, 1);
 }
 
 }  // namespace
