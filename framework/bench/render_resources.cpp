@@ -38,6 +38,7 @@ PeakMemory measureMemory(RenderBench& bench, const RenderRun& run, const std::st
 
 PeakMemory medianMemory(RenderBench& bench, const RenderRun& run, const std::string& what) {
   std::vector<PeakMemory> peaks;
+  peaks.reserve(kMemoryRuns);
   for (int k = 0; k < kMemoryRuns; ++k) peaks.push_back(measureMemory(bench, run, what));
   std::sort(peaks.begin(), peaks.end(),
             [](const PeakMemory& a, const PeakMemory& b) { return a.sum() < b.sum(); });
