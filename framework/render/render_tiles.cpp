@@ -72,6 +72,8 @@ class PixelRenderer {
                       [&](const Ray& ray, int m) { return split_->radiance(ray, m, *sampler_); });
       default:
         traceAhead(rays, [&](int m) { return rayOfRenderPixel(i, j, m, rays); });
+        // A renderPixel that forgets to start its rays is to find the same numbers in any scene.
+        if (cameraHits_) sampler_->startPixel(i, j, firstRay);
         return scene_.renderPixel(i, j, camera_, static_cast<int>(rays), *sampler_);
     }
   }

@@ -43,7 +43,7 @@ void expectTheSame(const ShapeScene& scene, RandomNumbers& random) {
   const Intersector intersector(scene.view(), planFor(scene.view()));
   ASSERT_GE(kMostInPacket, intersector.packetSize());
   int met = 0, missed = 0, different = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; met + missed < 160000; ++k) {
     const std::size_t count = 1 + random.below(intersector.packetSize());
     const std::vector<Ray> rays =
         raysFrom(random.inCube(1.5f), count, k % 2 == 0 ? 0.01f : 1.0f, random);
@@ -61,8 +61,8 @@ void expectTheSame(const ShapeScene& scene, RandomNumbers& random) {
       different += same ? 0 : 1;
     }
   }
-  EXPECT_GT(met, 2000);
-  EXPECT_GT(missed, 2000);
+  EXPECT_GT(met, 10000);
+  EXPECT_GT(missed, 10000);
   EXPECT_LE(different, (met + missed) / 10000);
 }
 
