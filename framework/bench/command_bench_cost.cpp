@@ -1,4 +1,5 @@
 // pathmark bench cost: that time is in proportion to pixels and to rays, and memory is not.
+#include "bench/alternate.h"
 #include "bench/bench_commands.h"
 #include "bench/error_words.h"
 #include "bench/interrupted_run.h"
@@ -18,7 +19,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <memory>
 
 namespace pathmark::bench {
@@ -60,11 +60,6 @@ void addTable(Report& report, const CostSweep& sweep, const std::string& key,
   report.tables.push_back(std::move(table));
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 void addFigures(Report& report, const Cost& cost) {
   const auto add = [&](const char* key, const char* what, const CostSweep& sweep) {
     const Interval s = costSlope(sweep);
@@ -73,7 +68,10 @@ void addFigures(Report& report, const Cost& cost) {
          .name = fmt::format("time grows with {}, as a power", what),
          .value = s.value,
          .error = (s.high - s.value) / 2.0,
-         .note = fmt::format("1 is in proportion; 95 % interval {:.3f} to {:.3f}", s.low, s.high)});
+         .note =
+             fmt::format("1 is in proportion, and a picture is written once, whatever its rays; "
+                         "95 % interval {:.3f} to {:.3f}",
+                         s.low, s.high)});
   };
   add("raysExponent", "rays per pixel", cost.rays);
   add("pixelsExponent", "pixels", cost.pixels);

@@ -78,12 +78,16 @@ bool ImageRender::step(const OnStatus& onStatus, const StepSize& size) {
     return going;
   });
   const double seconds = secondsSince(started);
-  std::vector<FilmPixel> checked = checkedRows(job, made, going);
   if (!going) {
-    remainder_ = Remainder{job.region, std::move(checked), made, seconds};
+    Remainder remainder{job.region, std::vector<FilmPixel>(rows.size()), made, seconds};
+    takeRows(job, made, false, remainder.film);
+    remainder_ = std::move(remainder);
     return false;
   }
-  std::copy(checked.begin(), checked.end(), rows.begin());
+  // First all of it is looked at, so that a refusal leaves the state as it was: that needs less
+  // memory than a copy.
+  takeRows(job, made, true, {});
+  takeRows(job, made, true, rows);
   state_.raysTraced += made.raysTraced;
   state_.invalid.add(made.invalid);
   state_.seconds += seconds;
@@ -127,22 +131,28 @@ std::span<FilmPixel> ImageRender::rowsOf(const PixelRegion& region) {
                static_cast<std::size_t>(region.height) * width);
 }
 
-// The film's rows as they are now: a worker may write anything into them at any time. In a whole
-// job, rays are missing only where their pass was reported as invalid.
-std::vector<FilmPixel> ImageRender::checkedRows(const RenderJob& job, const RenderResult& made,
-                                                bool whole) {
+// The film's rows as they are now, checked, into `to` unless it is empty: a worker may write
+// anything into them at any time, so that what is kept is what was looked at. In a whole job, rays
+// are missing only where their pass was reported as invalid.
+void ImageRender::takeRows(const RenderJob& job, const RenderResult& made, bool whole,
+                           std::span<FilmPixel> to) {
   const std::span<const FilmPixel> before = rowsOf(job.region);
-  const auto first = film_.pixels().begin() + (before.data() - state_.film.data());
-  std::vector<FilmPixel> rows(first, first + static_cast<std::ptrdiff_t>(before.size()));
+  const std::span<const FilmPixel> now = std::as_const(film_).pixels().subspan(
+      static_cast<std::size_t>(before.data() - state_.film.data()), before.size());
   const auto most = static_cast<double>(job.firstRay + job.rays);
+  const double due = static_cast<double>(before.size()) * static_cast<double>(job.rays);
   double rays = static_cast<double>(made.invalid.count()) * job.raysPerPass;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!isPossible(rows[i], most)) worker_.refuseAnswer(kScribbled);
-    rays += rows[i].rays - before[i].rays;
+  std::vector<FilmPixel> row(static_cast<std::size_t>(settings_.width));
+  for (std::size_t first = 0; first < before.size(); first += row.size()) {
+    std::copy_n(now.begin() + static_cast<std::ptrdiff_t>(first), row.size(), row.begin());
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (!isPossible(row[k], most)) worker_.refuseAnswer(kScribbled);
+      rays += row[k].rays - before[first + k].rays;
+    }
+    if (!to.empty())
+      std::copy(row.begin(), row.end(), to.begin() + static_cast<std::ptrdiff_t>(first));
   }
-  const double due = static_cast<double>(rows.size()) * static_cast<double>(job.rays);
   if (whole && rays < due) worker_.refuseAnswer(kScribbled);
-  return rows;
 }
 
 RenderedImage renderImage(WorkerProcess& worker, const RenderSettings& settings,

@@ -72,7 +72,8 @@ class ImageRender {
   };
 
   std::span<FilmPixel> rowsOf(const PixelRegion& region);
-  std::vector<FilmPixel> checkedRows(const RenderJob& job, const RenderResult& made, bool whole);
+  void takeRows(const RenderJob& job, const RenderResult& made, bool whole,
+                std::span<FilmPixel> to);
 
   WorkerProcess& worker_;
   RenderSettings settings_;
