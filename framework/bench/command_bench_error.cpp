@@ -166,7 +166,9 @@ void addMeasureOptions(CLI::App& command, BenchErrorArguments& arguments) {
   command
       .add_option("--estimators", arguments.estimators,
                   "The coursework by its name, its labs by theirs, or NAME=FOLDER, with commas "
-                  "(default: the coursework and all its labs)")
+                  "(default: the coursework and all its labs); behind each may stand +mis, "
+                  "+solid-angle, +splitN, +share-direct, +reuseN and +direct-pathsN, which are "
+                  "render's options")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
@@ -234,6 +236,8 @@ void addBenchErrorCommand(CLI::App& bench, CommandAction& action) {
       "error.csv\n"
       "  ./pathmark bench error cornell_box --estimators solutions --samplers "
       "pcg,stratified,sobol\n"
+      "  ./pathmark bench error cornell_box --estimators "
+      "solutions,solutions+split4+share-direct,solutions+reuse16\n"
       "  ./pathmark bench error cornell_box --with student --size 64x64 --max-bounces 1\n"
       "  ./pathmark bench error cornell_box --estimators mine=student,theirs=solutions\n"
       "  ./pathmark bench error cornell_box --peer cycles\n"

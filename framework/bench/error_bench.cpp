@@ -70,10 +70,11 @@ class SceneMeasurement {
     for (const AskedEstimator& asked : plan_.estimators) {
       const auto coursework = courseworks.find(asked.name);
       if (coursework == courseworks.end()) continue;
-      const std::string made =
-          contentHash(fmt::format("{} {}", bench_.hash, coursework->second.worker.string()));
+      const std::string made = contentHash(
+          fmt::format("{} {}{}", bench_.hash, coursework->second.worker.string(), asked.way.words));
       runs_.keepOnly(name(), asked.name, made);
-      subjects_.push_back({&asked, RunningEstimator(coursework->second, bench_.scene.scene), made});
+      subjects_.push_back(
+          {&asked, RunningEstimator(coursework->second, asked.way, bench_.scene.scene), made});
     }
     // What only the first render of a process costs.
     for (Subject& subject : subjects_)
@@ -187,7 +188,7 @@ std::map<std::string, Coursework> prepareEstimators(const ErrorPlan& plan,
   for (const AskedEstimator& asked : plan.estimators) {
     try {
       Coursework coursework = prepareCoursework(asked.folder.string());
-      const std::string unwritten = whatIsUnwritten(coursework);
+      const std::string unwritten = whatIsUnwritten(coursework, asked.way);
       if (unwritten.empty())
         courseworks.emplace(asked.name, std::move(coursework));
       else if (asked.byName)

@@ -5,6 +5,7 @@
 //   RunningEstimator  a worker with one of them and a scene, and what its renders cost
 #pragma once
 
+#include "bench/render_way.h"
 #include "host/session.h"
 
 #include <filesystem>
@@ -19,10 +20,12 @@ struct AskedEstimator {
   std::string name;
   std::filesystem::path folder;
   bool byName = false;  // by a person: it must be usable
+  RenderWay way{};
 };
 
-// Each word is the name of the coursework `with` itself, of one of its labs, or NAME=FOLDER.
-// Without words, the coursework and all its labs. Throws UsageError.
+// Each word is the name of the coursework `with` itself, of one of its labs, or NAME=FOLDER, and
+// may end with the words of a RenderWay. Without words, the coursework and all its labs. Throws
+// UsageError.
 std::vector<AskedEstimator> findEstimators(const std::string& with,
                                            const std::vector<std::string>& words);
 
@@ -34,7 +37,7 @@ struct EstimatorRender {
 class RunningEstimator {
  public:
   // Throws WorkerError.
-  RunningEstimator(const Coursework& coursework, const LoadedScene& scene);
+  RunningEstimator(const Coursework& coursework, const RenderWay& way, const LoadedScene& scene);
 
   // With one thread. Nothing if it was interrupted. Throws WorkerError, also for values that are no
   // radiance.
@@ -43,10 +46,11 @@ class RunningEstimator {
 
  private:
   const LoadedScene& scene_;
+  RenderWay way_;
   std::unique_ptr<WorkerProcess> worker_;
 };
 
 // A sentence about functions without which the estimator makes no picture; empty if there are none.
-std::string whatIsUnwritten(const Coursework& coursework);
+std::string whatIsUnwritten(const Coursework& coursework, const RenderWay& way);
 
 }  // namespace pathmark::bench
