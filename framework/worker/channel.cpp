@@ -8,6 +8,7 @@
 
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace pathmark {
@@ -89,6 +90,19 @@ std::optional<SharedBlock> SharedBlock::map(int descriptor, std::size_t bytes, b
 
 SharedBlock::~SharedBlock() {
   if (data_) munmap(data_, size_);
+}
+
+const SharedBlock* FilmBlock::map(int descriptor, std::size_t bytes) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) return nullptr;
+  if (!block_ || status.st_dev != device_ || status.st_ino != node_ ||
+      block_->bytes().size() != bytes) {
+    block_.reset();
+    block_ = SharedBlock::map(descriptor, bytes, true);
+    device_ = status.st_dev;
+    node_ = status.st_ino;
+  }
+  return block_ ? &*block_ : nullptr;
 }
 
 }  // namespace pathmark

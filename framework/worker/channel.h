@@ -4,6 +4,7 @@
 #include "worker/protocol.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -67,6 +68,19 @@ class SharedBlock {
 
   std::byte* data_;
   std::size_t size_;
+};
+
+// The film of one request after the other: it stays mapped as long as it is the same, since a film
+// that were mapped for each step would have all its pages looked up again.
+class FilmBlock {
+ public:
+  // Null if it cannot be mapped.
+  const SharedBlock* map(int descriptor, std::size_t bytes);
+  void reset() { block_.reset(); }
+
+ private:
+  std::optional<SharedBlock> block_;
+  std::uint64_t device_ = 0, node_ = 0;  // of what is mapped
 };
 
 }  // namespace pathmark

@@ -36,6 +36,7 @@ struct WorkerState {
   std::optional<SharedBlock> sceneBlock;
   std::unique_ptr<SceneCore> scene;          // for renders
   std::unique_ptr<SceneCore> sceneAnywhere;  // for calls with points of the host's choice
+  FilmBlock film;
 };
 
 template <class Head, class T>
@@ -57,6 +58,7 @@ void answerLoadScene(const Message& request, WorkerState& state) {
   LoadSceneReply reply;
   state.scene.reset();
   state.sceneAnywhere.reset();
+  state.film.reset();
   if (const auto* body = request.as<LoadSceneRequest>()) {
     state.sceneBlock = SharedBlock::map(request.descriptor, body->bytes, false);
     if (state.sceneBlock) {
@@ -75,52 +77,52 @@ class RenderMemory {
  public:
   // Nothing if it does not fit the scene.
   static std::optional<RenderMemory> map(const Message& request, const RenderRequest& body,
-                                         const SceneCore& scene) {
-    const SimpleCamera camera = cameraOf(scene, body.job);
+                                         WorkerState& state) {
+    const SimpleCamera camera = cameraOf(*state.scene, body.job);
     const std::size_t pixels =
         static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height());
-    auto block = SharedBlock::map(request.descriptor, body.bytes, true);
+    const SharedBlock* const block = state.film.map(request.descriptor, body.bytes);
     const std::size_t tiles = tileCount(camera.width(), camera.height());
     if (!block || block->bytes().size() <
                       kFilmOffset + pixels * sizeof(FilmPixel) + tiles * sizeof(std::uint64_t))
       return std::nullopt;
-    return RenderMemory(std::move(*block), pixels, tiles);
+    return RenderMemory(block->data(), pixels, tiles);
   }
 
-  ProgressBoard& board() const { return *reinterpret_cast<ProgressBoard*>(block_.data()); }
+  ProgressBoard& board() const { return *reinterpret_cast<ProgressBoard*>(memory_); }
   std::span<FilmPixel> film() const {
-    return {reinterpret_cast<FilmPixel*>(block_.data() + kFilmOffset), pixels_};
+    return {reinterpret_cast<FilmPixel*>(memory_ + kFilmOffset), pixels_};
   }
   std::span<const std::uint64_t> tileRays() const {
     return {reinterpret_cast<const std::uint64_t*>(film().data() + pixels_), tiles_};
   }
 
  private:
-  RenderMemory(SharedBlock block, std::size_t pixels, std::size_t tiles)
-      : block_(std::move(block)), pixels_(pixels), tiles_(tiles) {}
+  RenderMemory(std::byte* memory, std::size_t pixels, std::size_t tiles)
+      : memory_(memory), pixels_(pixels), tiles_(tiles) {}
 
-  SharedBlock block_;
+  std::byte* memory_;
   std::size_t pixels_, tiles_;
 };
 
 // A request that does not fit the scene gets an empty answer, which the host knows for what it is.
-void answerRender(const Message& request, const WorkerState& state) {
+void answerRender(const Message& request, WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
   if (!body || !state.scene || body->job.threads > kMaxThreads || !isPossible(body->job.paths))
     return sendReply(request, {});
-  const auto memory = RenderMemory::map(request, *body, *state.scene);
+  const auto memory = RenderMemory::map(request, *body, state);
   if (!memory) return sendReply(request, {});
   const RenderResult result = renderTiles(*state.scene, body->job, memory->film(), memory->board(),
                                           prepareThreadForCrashes, memory->tileRays());
   sendReply(request, asBytes(result));
 }
 
-void answerRecordPaths(const Message& request, const WorkerState& state) {
+void answerRecordPaths(const Message& request, WorkerState& state) {
   const auto* body = request.as<RenderRequest>();
   if (!recordPaths || !body || !state.scene || body->job.threads != 1 ||
       !isPossible(body->job.paths))
     return sendReply(request, {});
-  const auto memory = RenderMemory::map(request, *body, *state.scene);
+  const auto memory = RenderMemory::map(request, *body, state);
   if (!memory) return sendReply(request, {});
   const RecordedRender render = recordPaths(*state.scene, body->job, memory->film(),
                                             memory->board(), prepareThreadForCrashes);
