@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
@@ -35,6 +36,23 @@ FileDescriptor lockOf(const fs::path& folder, int create) {
       open((folder / "lock").c_str(), O_RDWR | O_CLOEXEC | create, S_IRUSR | S_IWUSR));
   if (lock.get() >= 0 && flock(lock.get(), LOCK_EX | LOCK_NB) != 0) lock.reset();
   return lock;
+}
+
+// Whether the lock is held, and of the file that stands in the folder.
+bool isLockOf(const fs::path& folder, const FileDescriptor& lock) {
+  struct stat held {
+  }, there{};
+  return lock.get() >= 0 && fstat(lock.get(), &held) == 0 &&
+         stat((folder / "lock").c_str(), &there) == 0 && held.st_dev == there.st_dev &&
+         held.st_ino == there.st_ino;
+}
+
+// The path ends with XXXXXX.
+fs::path makeFolder(const fs::path& path) {
+  std::string name = path.string();
+  if (!mkdtemp(name.data()))
+    throw std::system_error(errno, std::generic_category(), "a folder for the sandbox");
+  return name;
 }
 
 // What processes have left that were killed.
@@ -105,15 +123,23 @@ std::size_t processesOfUser() {
   return count;
 }
 
+// Another process that looks for what is forsaken may lock and remove the new folder before it is
+// locked here.
 Staging::Staging() : copies_(geteuid() == 0) {
+  constexpr int kMostAttempts = 100;
   removeForsaken();
-  std::string name = (fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX")).string();
-  if (!mkdtemp(name.data()))
-    throw std::system_error(errno, std::generic_category(), "a folder for the sandbox");
-  folder_ = name;
-  // Passable for those who know a name in it.
-  chmod(name.c_str(), 0711);
-  lock_ = lockOf(folder_, O_CREAT);
+  for (int attempt = 0; attempt < kMostAttempts && lock_.get() < 0; ++attempt) {
+    folder_ = makeFolder(fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX"));
+    // Passable for those who know a name in it.
+    chmod(folder_.c_str(), 0711);
+    lock_ = lockOf(folder_, O_CREAT);
+    if (!isLockOf(folder_, lock_)) {
+      lock_.reset();
+      std::error_code ignored;
+      fs::remove_all(folder_, ignored);
+    }
+  }
+  if (lock_.get() < 0) throw std::runtime_error("a folder for the sandbox cannot be locked");
   fs::create_directory(folder_ / "scratch");
   chmod((folder_ / "scratch").c_str(), 0711);
 }
@@ -157,11 +183,6 @@ void Staging::forgetUnused() {
   }
 }
 
-fs::path Staging::makeScratchFolder() {
-  std::string name = (folder_ / "scratch/XXXXXX").string();
-  if (!mkdtemp(name.data()))
-    throw std::system_error(errno, std::generic_category(), "a folder for the sandbox");
-  return name;
-}
+fs::path Staging::makeScratchFolder() { return makeFolder(folder_ / "scratch/XXXXXX"); }
 
 }  // namespace pathmark::sandbox

@@ -28,7 +28,7 @@ std::size_t processesOfUser();
 
 class Staging {
  public:
-  Staging();   // throws std::system_error
+  Staging();   // throws std::system_error, std::runtime_error
   ~Staging();  // removes all of it
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;

@@ -9,8 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <csignal>
+#include <exception>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 namespace pathmark::test {
 namespace {
@@ -259,6 +263,23 @@ TEST(Staging, RemovesWhatKilledProcessesHaveLeftAndNothingElse) {
   const std::filesystem::path inUse = first.makeScratchFolder();
   const sandbox::Staging second;
   EXPECT_TRUE(std::filesystem::exists(inUse));
+}
+
+TEST(Staging, IsNotRemovedByAnotherThatBeginsAtTheSameTime) {
+  constexpr int kThreads = 8, kEach = 100;
+  std::atomic<int> failed{0};
+  std::vector<std::thread> threads;
+  for (int k = 0; k < kThreads; ++k)
+    threads.emplace_back([&] {
+      for (int i = 0; i < kEach; ++i) try {
+          sandbox::Staging staging;
+          staging.makeScratchFolder();
+        } catch (const std::exception&) {
+          ++failed;
+        }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failed, 0);
 }
 
 }  // namespace
