@@ -1,6 +1,8 @@
 #include "bench/error_report.h"
 #include "bench/error_words.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 
 namespace pathmark::bench {
@@ -8,11 +10,17 @@ namespace pathmark::bench {
 namespace {
 
 constexpr const char* kRow =
-    "{:<22} {:<10} {:>7} {:>4}  {:>9}  {:>9}  {:>9} {:>6}  {:>10} {:>6}  {:>6}  {:>9}\n";
+    "{:<{}} {:<10} {:>7} {:>4}  {:>9}  {:>9}  {:>9} {:>6}  {:>10} {:>6}  {:>6}  {:>9}\n";
 
-void printPoint(const CurveSummary& curve, const PointSummary& p) {
+std::size_t widthOfNames(const SceneSummary& scene) {
+  std::size_t width = 22;
+  for (const CurveSummary& curve : scene.curves) width = std::max(width, curve.estimator.size());
+  return width;
+}
+
+void printPoint(const CurveSummary& curve, const PointSummary& p, std::size_t width) {
   const std::string rays = p.raysPerPixel > 0 ? std::to_string(p.raysPerPixel) : "-";
-  fmt::print(kRow, curve.estimator, curve.sampler, rays, p.replicates,
+  fmt::print(kRow, curve.estimator, width, curve.sampler, rays, p.replicates,
              threeDigits(p.cpuSeconds.value), threeDigits(p.mse.value),
              p.isMeasured() ? threeDigits(p.relativeMse.value) : "below",
              percentAround(p.relativeMse), threeDigits(p.efficiency.value),
@@ -28,13 +36,15 @@ void printScene(const SceneSummary& scene) {
                threeDigits(1.96 * scene.reference.relativeMseError));
   else
     fmt::print("  reference without variances: its own error counts as that of the renders\n");
-  fmt::print(kRow, "estimator", "sampler", "rays/px", "n", "CPU s", "MSE", "relMSE", "+-",
+  const std::size_t width = widthOfNames(scene);
+  fmt::print(kRow, "estimator", width, "sampler", "rays/px", "n", "CPU s", "MSE", "relMSE", "+-",
              "efficiency", "+-", "worst", "mean off");
   for (const CurveSummary& curve : scene.curves)
-    for (const PointSummary& point : curve.points) printPoint(curve, point);
-  fmt::print("\n  {:<34} {:>16}\n", "slope of log relMSE / log CPU s", "95 %");
+    for (const PointSummary& point : curve.points) printPoint(curve, point, width);
+  const std::size_t widthWithSampler = width + 12;
+  fmt::print("\n  {:<{}} {:>16}\n", "slope of log relMSE / log CPU s", widthWithSampler, "95 %");
   for (const CurveSummary& curve : scene.curves)
-    fmt::print("  {:<34} {:>16}\n", curve.name(), slopeWords(curve.slope));
+    fmt::print("  {:<{}} {:>16}\n", curve.name(), widthWithSampler, slopeWords(curve.slope));
 }
 
 }  // namespace
