@@ -150,9 +150,9 @@ Staging::~Staging() {
 }
 
 fs::path Staging::visible(const fs::path& path) {
-  const fs::path own = fs::absolute(path).lexically_normal();
+  fs::path own = fs::absolute(path).lexically_normal();
   if (!copies_) return own;
-  const fs::path copy = folder_ / "files" / own.relative_path();
+  fs::path copy = folder_ / "files" / own.relative_path();
   const std::lock_guard lock(mutex_);
   std::string stamp = stampOf(own);
   const auto known = staged_.find(own);

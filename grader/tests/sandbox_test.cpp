@@ -257,7 +257,7 @@ TEST(Staging, RemovesWhatKilledProcessesHaveLeftAndNothingElse) {
   const std::filesystem::path forsaken =
       std::filesystem::temp_directory_path() / "pathmark-sandbox.forsaken";
   std::filesystem::create_directories(forsaken / "files");
-  std::ofstream(forsaken / "lock");
+  const std::ofstream lock(forsaken / "lock");
   sandbox::Staging first;
   EXPECT_FALSE(std::filesystem::exists(forsaken));
   const std::filesystem::path inUse = first.makeScratchFolder();
@@ -269,6 +269,7 @@ TEST(Staging, IsNotRemovedByAnotherThatBeginsAtTheSameTime) {
   constexpr int kThreads = 8, kEach = 100;
   std::atomic<int> failed{0};
   std::vector<std::thread> threads;
+  threads.reserve(kThreads);
   for (int k = 0; k < kThreads; ++k)
     threads.emplace_back([&] {
       for (int i = 0; i < kEach; ++i) try {
