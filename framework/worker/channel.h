@@ -70,8 +70,8 @@ class SharedBlock {
   std::size_t size_;
 };
 
-// The film of one request after the other: it stays mapped as long as it is the same, since a film
-// that were mapped for each step would have all its pages looked up again.
+// The film of one request after the other. It stays mapped as long as it is the same: the kernel
+// would look up all its pages again for each step.
 class FilmBlock {
  public:
   // Null if it cannot be mapped.
