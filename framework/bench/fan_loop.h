@@ -26,7 +26,7 @@ class FanLoop {
 
   std::uint64_t operator()() {
     constexpr std::size_t kFans = 256;  // between two looks at the clock
-    for (std::size_t k = 0; k < kFans; ++k, next_ = (next_ + 1) % RaySet::kRays) {
+    for (std::size_t k = 0; k < kFans; ++k, next_ = next_ + 1 < set_->rays.size() ? next_ + 1 : 0) {
       const Point& origin = set_->rays[next_].origin;
       const Ends& ends = ends_[next_ % kSets];
       if (together_) {

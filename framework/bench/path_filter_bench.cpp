@@ -4,13 +4,11 @@
 //
 //   pathmark_benchmarks --benchmark_filter=followPaths --benchmark_repetitions=15
 //     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
-#include "bench/quick_random.h"
+#include "bench/random_direction.h"
 #include "bench/ray_scenes.h"
 #include "render/scene_core.h"
 
 #include <benchmark/benchmark.h>
-
-#include <cmath>
 
 namespace pathmark::bench {
 namespace {
@@ -25,12 +23,6 @@ struct Bare {
 struct Looking : LitScene {
   explicit Looking(const SceneCore& scene) : LitScene(scene, scene.maxBounces()) {}
 };
-
-Vector randomDirection(QuickRandom& random) {
-  const float z = 2.0f * random.next() - 1.0f, phi = 2.0f * kPi * random.next();
-  const float r = std::sqrt(1.0f - z * z);
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
 
 LightSample pointOf(const Lamp& lamp, QuickRandom& random) {
   LightSample sample;

@@ -48,10 +48,11 @@ enum class RayKind {
 // Rays that are made between two looks at the clock, which take microseconds on some machines.
 inline constexpr std::size_t kRaysOfChunk = 4096;
 
+// The first `count` rays of the set, over and over.
 template <class Rays>
-Work independentLoop(const Rays& rays, const RaySet& set, bool shadow) {
-  return [&rays, &set, shadow, next = std::size_t{0}, sum = std::uint32_t{0}]() mutable {
-    for (std::size_t i = 0; i < kRaysOfChunk; ++i, next = (next + 1) % RaySet::kRays) {
+Work independentLoop(const Rays& rays, const RaySet& set, std::size_t count, bool shadow) {
+  return [&rays, &set, count, shadow, next = std::size_t{0}, sum = std::uint32_t{0}]() mutable {
+    for (std::size_t i = 0; i < kRaysOfChunk; ++i, next = next + 1 < count ? next + 1 : 0) {
       const Ray& ray = set.rays[next];
       if (shadow) {
         sum += rays.occluded(ray.origin, set.segments[next]) ? 1u : 0u;
@@ -119,9 +120,9 @@ template <class Rays>
 Work loopOf(RayKind kind, const Rays& rays, const RayScene& scene, const RaySet& set) {
   switch (kind) {
     case RayKind::kClosest:
-      return independentLoop(rays, set, false);
+      return independentLoop(rays, set, set.rays.size(), false);
     case RayKind::kOccluded:
-      return independentLoop(rays, set, true);
+      return independentLoop(rays, set, set.rays.size(), true);
     case RayKind::kChained:
       return Chain<Rays>(rays, scene, set, false);
     case RayKind::kPath:

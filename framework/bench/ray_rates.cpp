@@ -32,6 +32,15 @@ RayRates RaySubject::rates(RayKind kind, double seconds) const {
   return rates;
 }
 
+std::vector<double> RaySubject::rawRates(std::span<const std::size_t> numbers,
+                                         double seconds) const {
+  std::vector<Work> loops;
+  loops.reserve(numbers.size());
+  for (const std::size_t count : numbers)
+    loops.push_back(independentLoop(*raw_, set_, count, false));
+  return alternate(loops, seconds);
+}
+
 FanRates RaySubject::fanRates(double seconds) const {
   const std::vector<Work> ways{FanLoop(flat_->flat, scene_, set_, true),
                                FanLoop(flat_->flat, scene_, set_, false)};

@@ -10,7 +10,9 @@
 #include "bench/report.h"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace pathmark::bench {
 
@@ -42,6 +44,12 @@ class RaySubject {
 
   // In turns; `seconds` for each intersector.
   RayRates rates(RayKind kind, double seconds) const;
+
+  // How many independent rays there are.
+  std::size_t rays() const { return set_.rays.size(); }
+
+  // Raw Embree's rate with each number of independent rays over and over, in turns.
+  std::vector<double> rawRates(std::span<const std::size_t> numbers, double seconds) const;
 
   // The flat loop's.
   FanRates fanRates(double seconds) const;

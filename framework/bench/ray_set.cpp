@@ -1,6 +1,6 @@
 #include "bench/ray_set.h"
 
-#include "bench/quick_random.h"
+#include "bench/random_direction.h"
 #include "intersect/embree_intersector.h"
 #include "intersect/flat_intersector.h"
 
@@ -14,14 +14,9 @@ namespace pathmark::bench {
 namespace {
 
 constexpr int kMostBounces = 8;
+constexpr std::size_t kFewestRays = std::size_t{1} << 16, kRaysOfTriangle = 2;
 
 Vector toVector(const Float3& a) { return {a[0], a[1], a[2]}; }
-
-Vector randomDirection(QuickRandom& random) {
-  const float z = 2.0f * random.next() - 1.0f, phi = 2.0f * kPi * random.next();
-  const float r = std::sqrt(1.0f - z * z);
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
 
 Ray diffuseBounce(const Surface& surface, const RayScene& scene, QuickRandom& random) {
   const Vector direction = surface.n + 0.9999f * randomDirection(random);
@@ -76,8 +71,8 @@ class SurfacePoints {
 using Closest = std::function<bool(const Ray&, PrimitiveHit&)>;
 
 void addPath(const RayScene& scene, const FlatSceneView& view, const Closest& closest, Ray ray,
-             QuickRandom& random, RaySet& set) {
-  for (int bounce = 0; bounce < kMostBounces && set.rays.size() < RaySet::kRays; ++bounce) {
+             QuickRandom& random, std::size_t rays, RaySet& set) {
+  for (int bounce = 0; bounce < kMostBounces && set.rays.size() < rays; ++bounce) {
     set.rays.push_back(ray);
     const Point onLamp =
         scene.lamp.corner + random.next() * scene.lamp.side + random.next() * scene.lamp.otherSide;
@@ -95,11 +90,14 @@ RaySet prepareRays(const RayScene& scene) {
   const FlatSceneView view = viewOf(scene.flat);
   const SurfacePoints points(view);
   QuickRandom random(view.triangles.size() + view.spheres.size());
+  const std::size_t rays = std::max(kFewestRays, kRaysOfTriangle * view.triangles.size());
   RaySet set;
+  set.rays.reserve(rays);
+  set.segments.reserve(rays);
   const auto makeAll = [&](const Closest& closest) {
-    while (set.rays.size() < RaySet::kRays)
+    while (set.rays.size() < rays)
       addPath(scene, view, closest, diffuseBounce(points.choose(random), scene, random), random,
-              set);
+              rays, set);
   };
   if (view.spheres.empty()) {
     const EmbreeIntersector embree(view);
