@@ -62,7 +62,7 @@ App::App(Window& window, AppOptions options)
       stops_(options_.exposureStops),
       panels_(std::make_unique<Panels>(
           wake_, [this](CourseworkFunction f) { choosePart(contractOf(f).part); })) {
-  request_.estimator = part_ == 0 ? Estimator::kWarmUp : Estimator::kPath;
+  request_.made = pictureOfPart(part_);
   if (request_.paths) pathsField_.show(request_.paths->text());
   engine_ = std::make_unique<Engine>(request_, wake_);
   state_ = engine_->state();
@@ -107,9 +107,14 @@ void App::showFrame(Pixels* seen) {
 void App::takeNews() {
   state_ = engine_->state();
   if (state_->scene && poseOf_ != state_->sceneNumber) {
-    pose_.emplace(state_->scene->loaded);
+    // A save that leaves the file's camera where it was leaves the moved one there too.
+    const LoadedScene& scene = state_->scene->loaded;
+    if (!pose_ || poseIn_ != scene.name || !pose_->isOf(scene)) {
+      pose_.emplace(scene);
+      request_.camera.reset();
+    }
+    poseIn_ = scene.name;
     poseOf_ = state_->sceneNumber;
-    request_.camera.reset();
     apply();
   }
   panels_->takeNews(*state_);
@@ -158,7 +163,7 @@ Frame App::makeFrame() const {
 void App::choosePart(int part) {
   if (part == part_) return;
   part_ = part;
-  request_.estimator = part == 0 ? Estimator::kWarmUp : Estimator::kPath;
+  request_.made = pictureOfPart(part);
   apply();
 }
 

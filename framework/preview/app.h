@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+struct ImFont;
 struct ImVec4;
 
 namespace pathmark::preview {
@@ -45,7 +46,7 @@ class App {
   void drawPictureMenu();
   void drawBanners();
   void drawBanner(const char* title, const std::string& text, const char* remedy,
-                  const ImVec4& colour);
+                  const ImVec4& colour, ImFont* font = nullptr);
   std::string unwrittenSentence() const;
   void drawPicture(float width);
   void drawPanels();
@@ -77,6 +78,7 @@ class App {
   std::shared_ptr<const EngineState> state_;
   std::optional<CameraPose> pose_;
   std::uint64_t poseOf_ = 0;     // EngineState::sceneNumber
+  std::string poseIn_;           // the scene's name
   double cameraMovedAt_ = -1e9;  // seconds, of ImGui's clock
   int part_ = 5;
   Tab tab_ = Tab::kProgress;    // that is seen

@@ -130,7 +130,7 @@ void App::drawBanners() {
   drawBanner("Does not compile", state_->buildFailure,
              any ? "The picture is that of the last version that did. Save the file again to go on."
                  : "Save the file again to go on.",
-             kAlarm);
+             kAlarm, codeFont());
   drawBanner(
       "Stopped", state_->workerFailure,
       any ? "The picture is the last one that could be made. Save the file again, or press R."
@@ -144,7 +144,7 @@ std::string App::unwrittenSentence() const {
   const FunctionContract* first = nullptr;
   int count = 0;
   for (const FunctionContract& f : state_->coursework->stubs.unwritten) {
-    if (!isUsed(f, request_.estimator, LightSampling::kByArea)) continue;
+    if (!isUsed(f, request_.made.estimator, request_.made.lightSampling)) continue;
     if (first == nullptr) first = &f;
     ++count;
   }
@@ -154,7 +154,7 @@ std::string App::unwrittenSentence() const {
 }
 
 void App::drawBanner(const char* title, const std::string& text, const char* remedy,
-                     const ImVec4& colour) {
+                     const ImVec4& colour, ImFont* font) {
   if (text.empty()) return;
   constexpr int kLines = 12;
   const std::string words = firstLines(text, kLines);
@@ -164,13 +164,18 @@ void App::drawBanner(const char* title, const std::string& text, const char* rem
     return *t == '\0' ? 0.0f
                       : ImGui::CalcTextSize(t, nullptr, false, width).y + style.ItemSpacing.y;
   };
-  const float height =
-      heightOf(title) + heightOf(words.c_str()) + heightOf(remedy) + 2.0f * style.WindowPadding.y;
+  float height = heightOf(title) + heightOf(remedy) + 2.0f * style.WindowPadding.y;
+  if (font == nullptr) font = ImGui::GetFont();
+  ImGui::PushFont(font);
+  height += heightOf(words.c_str());
+  ImGui::PopFont();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour);
   ImGui::BeginChild(title, {0.0f, height}, true);
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(title);
+  ImGui::PushFont(font);
   ImGui::TextUnformatted(words.c_str());
+  ImGui::PopFont();
   if (*remedy != '\0') ImGui::TextUnformatted(remedy);
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
@@ -224,7 +229,7 @@ void App::drawView() {
     apply();
   }
   ImGui::Separator();
-  const bool warmUp = request_.estimator == Estimator::kWarmUp;
+  const bool warmUp = request_.made.estimator == Estimator::kWarmUp;
   if (pathsField_.draw(state_->scene ? &state_->scene->loaded.flat : nullptr, warmUp)) {
     request_.paths = pathsField_.expression();
     apply();
@@ -245,9 +250,11 @@ void App::drawStatus() {
     const Picture& p = *state_->picture;
     text += fmt::format("   {:.4g} rays per pixel   {}   {:.1f} million rays/s", p.raysPerPixel,
                         shortTime(p.seconds), 1e-6 * p.raysPerSecond);
+    if (const std::string_view way = wayWords(p.made); !way.empty())
+      text += fmt::format("   {}", way);
     if (!p.paths.empty()) text += fmt::format("   light paths {}", p.paths);
     if (p.invalid.count() > 0)
-      text += fmt::format("   {} values that are no radiance (magenta)", p.invalid.count());
+      text += fmt::format("   {} no radiance (magenta)", p.invalid.count());
     if (area_.hovered()) {
       const auto [column, row] = *area_.hovered();
       const auto value = p.image.pixel(column, row);

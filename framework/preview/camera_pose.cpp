@@ -1,5 +1,7 @@
 #include "preview/camera_pose.h"
 
+#include "preview/same_camera.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,6 +31,11 @@ CameraPose::CameraPose(const LoadedScene& scene)
   const glm::dvec3 topLeft = toDouble(file_.topLeft);
   topLeft_ = {dot(topLeft, a.right), dot(topLeft, a.up), dot(topLeft, a.forward)};
   pixel_ = length(toDouble(file_.pixelRight));
+}
+
+bool CameraPose::isOf(const LoadedScene& scene) const {
+  return sameCamera(file_, scene.flat.camera) && fileTarget_ == toDouble(scene.target) &&
+         fileUp_ == toDouble(scene.up);
 }
 
 void CameraPose::reset() {

@@ -14,6 +14,9 @@ class CameraPose {
  public:
   explicit CameraPose(const LoadedScene& scene);
 
+  // Whether the scene has its camera where the one has it that this was made from.
+  bool isOf(const LoadedScene& scene) const;
+
   // Angles in radians: to the right, and upwards. The camera never passes the poles of `up`.
   void orbit(double right, double upwards);
 

@@ -123,9 +123,17 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       ->add_option("--with", arguments->app.request.with,
                    "Coursework: student (default), solutions, or a folder of part*.cpp files")
       ->type_name("DIR");
-  takesWholeNumber(command->add_option("--part", arguments->app.part,
-                                       "The part to begin with; 0 renders the warm-up"),
-                   0, 6);
+  takesWholeNumber(command
+                       ->add_option("--part", arguments->app.part,
+                                    "The part to begin with, whose functions make the picture: 0 "
+                                    "the warm-up, 8 tracePathMIS, 9 lights by the solid angle, "
+                                    "others tracePath")
+                       ->check([](const std::string& text) -> std::string {
+                         if (text != "7") return {};
+                         return "found 7, which has scenes and no functions; allowed is 0 to 6, 8 "
+                                "or 9";
+                       }),
+                   0, 9);
   addSamplerOption(*command, arguments->sampler);
   addPathsOption(*command, arguments->paths);
   takesWholeNumber(command->add_option("--seed", arguments->app.request.seed,
@@ -171,6 +179,7 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       "Examples:\n"
       "  ./pathmark preview\n"
       "  ./pathmark preview ucl_rectangle --part 2\n"
+      "  ./pathmark preview veach_plates --part 8\n"
       "  ./pathmark preview cornell_box --with solutions\n"
       "  ./pathmark preview cornell_phong --with solutions --paths LS+DE --tab view\n"
       "  ./pathmark preview student/scenes/my_scene.json --scale 2\n"

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "light_paths/expression.h"
+#include "preview/part_picture.h"
 #include "preview/picture.h"
 
 #include <condition_variable>
@@ -27,7 +28,7 @@ namespace pathmark::preview {
 struct EngineRequest {
   std::string with = "student";  // coursework, as on the command line
   std::filesystem::path scene;
-  Estimator estimator = Estimator::kPath;
+  PartPicture made{};
   SamplerKind sampler = SamplerKind::kSobol;
   std::optional<PathExpression> paths{};  // nothing: all light; the warm-up knows no other
   std::uint64_t seed = 0;

@@ -8,6 +8,7 @@
 #include "film/image.h"
 #include "host/coursework_builder.h"
 #include "host/stub_report.h"
+#include "preview/part_picture.h"
 #include "render/render_job.h"
 #include "scene/load_scene.h"
 
@@ -18,15 +19,15 @@
 namespace pathmark::preview {
 
 struct PreviewScene {
-  LoadedScene loaded;
-  std::string hash;  // of the scene as a worker gets it, with the file's camera
+  LoadedScene loaded;  // with the part's way to choose points on lights
+  std::string hash;    // of the file's scene as a worker gets it, with the file's camera
 };
 
 struct Picture {
   std::shared_ptr<const PreviewScene> scene;
   FlatCamera camera;       // that it was made with
   bool fileCamera = true;  // the camera is the scene file's
-  Estimator estimator = Estimator::kPath;
+  PartPicture made{};
   SamplerKind sampler = SamplerKind::kSobol;
   std::string paths;               // light path expression; empty: all light
   PathAutomaton automaton;         // the same for a worker

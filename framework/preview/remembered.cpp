@@ -2,6 +2,7 @@
 
 #include "film/atomic_file.h"
 #include "film/image.h"
+#include "preview/part_picture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -44,6 +45,7 @@ Remembered readRemembered(const fs::path& file) {
   result.width = number(json, "width", kSmallest, kLargest);
   result.height = number(json, "height", kSmallest, kLargest);
   result.part = number(json, "part", 0, kLastPart);
+  if (result.part && !isPart(*result.part)) result.part.reset();
   if (const auto scene = json.find("scene"); scene != json.end() && scene->is_string())
     result.scene = scene->get<std::string>();
   return result;

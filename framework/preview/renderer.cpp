@@ -34,7 +34,7 @@ std::string textOf(const std::optional<PathExpression>& paths) {
 }
 
 bool samePicture(const EngineRequest& a, const EngineRequest& b) {
-  return a.estimator == b.estimator && a.sampler == b.sampler && a.seed == b.seed &&
+  return a.made.estimator == b.made.estimator && a.sampler == b.sampler && a.seed == b.seed &&
          textOf(a.paths) == textOf(b.paths) && a.threads == b.threads && a.restarts == b.restarts &&
          sameCamera(a.camera, b.camera);
 }
@@ -112,7 +112,8 @@ void Engine::Renderer::waitForChange() {
 bool Engine::Renderer::prepare() {
   const Subject now = subject();
   const bool newScene = scene_ == nullptr || now.request.scene != subject_.request.scene ||
-                        now.sceneStamp != subject_.sceneStamp;
+                        now.sceneStamp != subject_.sceneStamp ||
+                        now.request.made.lightSampling != subject_.request.made.lightSampling;
   const bool newWorker = now.worker != subject_.worker;
   const bool newPicture = newScene || newWorker || !samePicture(now.request, subject_.request);
   subject_ = now;
@@ -147,6 +148,7 @@ bool Engine::Renderer::loadScene() {
     auto scene = std::make_shared<PreviewScene>();
     scene->loaded = pathmark::loadScene(subject_.request.scene);
     scene->hash = sceneHash(scene->loaded);
+    scene->loaded.flat.lightSampling = subject_.request.made.lightSampling;
     scene_ = std::move(scene);
   } catch (const SceneError& e) {
     engine_.change([&](EngineState& s) { s.sceneFailure = e.what(); });
@@ -210,8 +212,8 @@ RenderSettings Engine::Renderer::settings() const {
   settings.threads = request.threads;
   settings.seed = request.seed;
   settings.sampler = request.sampler;
-  settings.estimator = request.estimator;
-  if (request.paths && request.estimator == Estimator::kPath)
+  settings.estimator = request.made.estimator;
+  if (request.paths && request.made.estimator != Estimator::kWarmUp)
     letThrough(*request.paths, scene_->loaded.flat, settings);
   settings.camera = request.camera;
   return settings;
@@ -276,7 +278,7 @@ void Engine::Renderer::publish(Series::Made made) {
   picture->scene = scene_;
   picture->camera = request.camera.value_or(scene_->loaded.flat.camera);
   picture->fileCamera = !request.camera;
-  picture->estimator = request.estimator;
+  picture->made = request.made;
   picture->sampler = request.sampler;
   picture->seed = request.seed;
   const RenderSettings asked = settings();

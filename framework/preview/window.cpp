@@ -19,7 +19,8 @@ namespace pathmark::preview {
 namespace {
 
 constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float kFontSize = 15.0f;
+constexpr const char* kCodeFont = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
+constexpr float kFontSize = 15.0f, kCodeFontSize = 13.0f;
 
 // Latin letters, and the quotation marks and dashes that compilers and handouts use.
 constexpr ImWchar kGlyphs[] = {0x20, 0xff, 0x2010, 0x2027, 0};
@@ -57,6 +58,19 @@ void onCharacter(GLFWwindow* window, unsigned character) {
       ->push_back({0, false, false, character});
 }
 
+// The first that is added is that of everything; what stands in for a missing file has letters of
+// one width.
+void addFont(const char* file, float size) {
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  if (std::filesystem::exists(file)) {
+    fonts.AddFontFromFileTTF(file, size, nullptr, kGlyphs);
+    return;
+  }
+  ImFontConfig config;
+  config.SizePixels = 13.0f / kFontSize * size;
+  fonts.AddFontDefault(&config);
+}
+
 void styleFor(float scale) {
   ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
@@ -66,16 +80,13 @@ void styleFor(float scale) {
   style.ScaleAllSizes(scale);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
-  if (std::filesystem::exists(kFont)) {
-    io.Fonts->AddFontFromFileTTF(kFont, kFontSize * scale, nullptr, kGlyphs);
-  } else {
-    ImFontConfig config;
-    config.SizePixels = 13.0f * scale;
-    io.Fonts->AddFontDefault(&config);
-  }
+  addFont(kFont, kFontSize * scale);
+  addFont(kCodeFont, kCodeFontSize * scale);
 }
 
 }  // namespace
+
+ImFont* codeFont() { return ImGui::GetIO().Fonts->Fonts.back(); }
 
 Window::Window(const WindowOptions& options) {
   glfwSetErrorCallback([](int, const char* text) { lastError() = text; });

@@ -1,6 +1,7 @@
 // The window on the screen: GLFW, OpenGL 3.3 core, Dear ImGui.
 //
 //   Window        opens it, draws frames into it
+//   codeFont      with letters of one width
 //   Texture       pixels that an interface can show
 //   DisplayError  a sentence: why there is no window
 //
@@ -15,6 +16,7 @@
 #include <vector>
 
 struct GLFWwindow;
+struct ImFont;
 
 namespace pathmark::preview {
 
@@ -40,6 +42,9 @@ struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;  // row by row from the top
 };
+
+// Of the open window.
+ImFont* codeFont();
 
 class Window {
  public:

@@ -17,15 +17,22 @@ bool positive(const std::optional<double>& error) {
   return error && std::isfinite(*error) && *error > 0.0;
 }
 
+std::string nameFor(const Picture& picture) {
+  const std::string_view way = wayWords(picture.made);
+  return fmt::format("{}, {}{}{}", picture.coursework, nameOf(picture.sampler),
+                     way.empty() ? "" : ", ", way);
+}
+
 }  // namespace
 
 bool ErrorCurves::same(const Subject& a, const Subject& b) {
-  return a.scene == b.scene && a.estimator == b.estimator && a.paths == b.paths &&
+  return a.scene == b.scene && a.warmUp == b.warmUp && a.paths == b.paths &&
          sameCamera(a.camera, b.camera);
 }
 
 void ErrorCurves::begin(const Picture& picture) {
-  Subject subject{picture.scene->hash, picture.camera, picture.estimator, picture.paths};
+  Subject subject{picture.scene->hash, picture.camera, picture.made.estimator == Estimator::kWarmUp,
+                  picture.paths};
   if (subject_ && same(*subject_, subject)) {
     if (current_.points.size() > 1) before_.push_back(std::move(current_));
     if (before_.size() > kMostBefore) before_.erase(before_.begin());
@@ -33,8 +40,7 @@ void ErrorCurves::begin(const Picture& picture) {
     before_.clear();
   }
   subject_ = std::move(subject);
-  current_ = {
-      picture.series, fmt::format("{}, {}", picture.coursework, nameOf(picture.sampler)), {}};
+  current_ = {picture.series, nameFor(picture), {}};
 }
 
 void ErrorCurves::forgetMeasured() {

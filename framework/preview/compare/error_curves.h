@@ -32,8 +32,9 @@ struct ErrorCurve {
 class ErrorCurves {
  public:
   // A picture's point. Points are kept whose rays are a quarter of a doubling apart, and the newest
-  // one: four for each doubling, however long a series lasts. Curves of another scene, size, camera
-  // or estimator are forgotten; measured errors also when the reference is another.
+  // one: four for each doubling, however long a series lasts. Curves of another scene, size or
+  // camera, and those of the warm-up beside others, are forgotten; measured errors also when the
+  // reference is another.
   void add(const Picture& picture, std::uint64_t reference, const ErrorPoint& point);
 
   const ErrorCurve& current() const { return current_; }
@@ -43,7 +44,7 @@ class ErrorCurves {
   struct Subject {
     std::string scene;
     FlatCamera camera;
-    Estimator estimator = Estimator::kPath;
+    bool warmUp = false;
     std::string paths;  // light path expression
   };
 

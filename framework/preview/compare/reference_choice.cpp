@@ -54,7 +54,7 @@ FoundReference ReferenceFinder::find(const ReferenceWish& wish,
 }
 
 FoundReference ReferenceFinder::findShipped(const Picture& picture) {
-  if (picture.estimator == Estimator::kWarmUp)
+  if (picture.made.estimator == Estimator::kWarmUp)
     return none(
         fmt::format("The warm-up's lights shine from both sides, and those of the "
                     "reference from the front only. {}",

@@ -24,7 +24,7 @@ struct PathRequest {
   std::shared_ptr<const PreviewScene> scene;
   FlatCamera camera;  // that sees the pixel
   std::shared_ptr<const CourseworkState> coursework;
-  Estimator estimator = Estimator::kPath;
+  PartPicture made{};
   SamplerKind sampler = SamplerKind::kSobol;
   PathAutomaton automaton{};  // of the light that is let through
   std::uint64_t seed = 0;

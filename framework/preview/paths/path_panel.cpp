@@ -21,13 +21,13 @@ constexpr int kMostRays = 256;
 
 // Rays of a request are those of the picture if these are the same.
 bool madeLike(const PathRequest& request, const Picture& picture) {
-  return request.estimator == picture.estimator && request.sampler == picture.sampler &&
+  return request.made.estimator == picture.made.estimator && request.sampler == picture.sampler &&
          request.seed == picture.seed && request.automaton == picture.automaton &&
          request.raysPerPass == picture.raysPerPass;
 }
 
 void makeLike(PathRequest& request, const Picture& picture) {
-  request.estimator = picture.estimator;
+  request.made = picture.made;
   request.sampler = picture.sampler;
   request.automaton = picture.automaton;
   request.seed = picture.seed;
@@ -193,7 +193,7 @@ void PathPanel::drawChosen(const Frame& frame) {
   ImGui::Spacing();
   say(fmt::format("Path {} returned {}.", selection_.path, shortColour(path.radiance)));
   drawRemarks(account);
-  if (answer_->request.estimator == Estimator::kWarmUp)
+  if (answer_->request.made.estimator == Estimator::kWarmUp)
     say("Part 0: f and pdf are those of the task, as your own cannot be seen.");
   throughputBar(frame.scale);
   vertexInTable_ = vertexTable(*answer_, selection_.path, selection_.vertex, frame.scale);

@@ -25,7 +25,7 @@ class NoPaths : public std::runtime_error {
 
 RenderJob jobFor(const PathRequest& request) {
   RenderJob job;
-  job.estimator = request.estimator;
+  job.estimator = request.made.estimator;
   job.sampler = request.sampler;
   job.paths = request.automaton;
   job.seed = request.seed;
@@ -166,8 +166,12 @@ FilmPixel PathRecording::pixelOf(const PathRequest& request,
 }
 
 void PathRecording::requireWritten(const PathRequest& request) {
+  if (request.made.estimator == Estimator::kMis)
+    throw NoPaths(
+        "No paths to see: those of tracePathMIS are not recorded. With part 5 in the menu, those "
+        "of tracePath are.");
   const StubReport stubs = makeStubReport(worker_->stubs());
-  const bool warmUp = request.estimator == Estimator::kWarmUp;
+  const bool warmUp = request.made.estimator == Estimator::kWarmUp;
   for (const CourseworkFunction f :
        {CourseworkFunction::kGetRayRadiance, CourseworkFunction::kRenderPixel,
         CourseworkFunction::kTracePath}) {
@@ -197,7 +201,7 @@ void PathRecording::fill(PathAnswer& answer) {
                                      : otherPathsRemark(answer.pixel, meanOf(again));
   answer.paths.resize(std::min<std::size_t>(answer.paths.size(), request.rays));
   answer.mean = meanOf(answer.paths);
-  const AccountRules rules{request.estimator == Estimator::kWarmUp,
+  const AccountRules rules{request.made.estimator == Estimator::kWarmUp,
                            request.scene->loaded.flat.lights.size()};
   for (const TracedPath& path : answer.paths) answer.accounts.push_back(accountFor(path, rules));
 }

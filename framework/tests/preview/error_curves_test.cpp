@@ -109,6 +109,26 @@ TEST(ErrorCurves, AnotherCameraOrSceneForgetsThoseBefore) {
   EXPECT_TRUE(curves.before().empty());
 }
 
+TEST(ErrorCurves, OfPartsThatTraceInAnotherWayStandBesideThoseBefore) {
+  ErrorCurves curves;
+  for (const double rays : {1.0, 2.0}) curves.add(picture(1, rays), 1, point(rays));
+  Picture mis = picture(2, 1.0);
+  mis.made = pictureOfPart(8);
+  curves.add(mis, 1, point(1.0));
+  ASSERT_EQ(curves.before().size(), 1u);
+  EXPECT_EQ(curves.before()[0].name, "student, sobol");
+  EXPECT_EQ(curves.current().name, "student, sobol, tracePathMIS");
+}
+
+TEST(ErrorCurves, TheWarmUpForgetsThoseBefore) {
+  ErrorCurves curves;
+  for (const double rays : {1.0, 2.0}) curves.add(picture(1, rays), 1, point(rays));
+  Picture warmUp = picture(2, 1.0);
+  warmUp.made = pictureOfPart(0);
+  curves.add(warmUp, 1, point(1.0));
+  EXPECT_TRUE(curves.before().empty());
+}
+
 TEST(ErrorCurves, AnotherReferenceForgetsWhatWasMeasuredButNotWhatWasExpected) {
   ErrorCurves curves;
   for (std::uint64_t series = 1; series <= 2; ++series)

@@ -141,6 +141,14 @@ Colour LitScene::renderPixel(int, int, const SimpleCamera&, int, Sampler&) const
             "No paths to see: LitScene::renderPixel (part 1) is not written yet.");
 }
 
+TEST_F(PathEngineTest, OfTracePathMisSaysThatItsPathsAreNotRecorded) {
+  TestCoursework coursework;
+  request_.made = pictureOfPart(8);
+  EXPECT_EQ(answerTo(coursework)->failure,
+            "No paths to see: those of tracePathMIS are not recorded. With part 5 in the menu, "
+            "those of tracePath are.");
+}
+
 TEST_F(PathEngineTest, OfCodeThatDoesNotCompileSaysSo) {
   TestCoursework coursework;
   coursework.setFile("part5_path.cpp", "this is no C++");

@@ -106,7 +106,7 @@ TEST_F(ReferenceChoice, AMovedCameraIsASentenceThatSaysHowToPutItBack) {
 TEST_F(ReferenceChoice, TheWarmUpIsASentence) {
   ship(scene_->hash);
   Picture warmUp = picture();
-  warmUp.estimator = Estimator::kWarmUp;
+  warmUp.made.estimator = Estimator::kWarmUp;
   expectNone(find(warmUp), "warm-up");
 }
 

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace pathmark::test {
 namespace {
@@ -52,6 +53,27 @@ TEST_F(Preview, ShowsThePictureThatRenderMakes) {
   const auto mean = pictureOf(readImage(folder / "window.png").image);
   EXPECT_NEAR(mean[2], 0.5, 0.02);
   EXPECT_NEAR(mean[0], 0.5, 0.1);
+}
+
+TEST_F(Preview, OfPart8ShowsThePictureOfTracePathMis) {
+  coursework_.setTracePath(kDark);
+  coursework_.setFile("part8_mis.cpp", R"(
+float powerHeuristic(float, float) { return 0.5f; }
+float solidAnglePdf(const Point&, const LightSample&) { return 1.0f; }
+Colour LitScene::tracePathMIS(const Ray&, Sampler& sampler) const {
+  return Colour(sampler.next1D(), 0.25f, 0.75f);
+})");
+  TemporaryFolder folder;
+  RealWindow window =
+      open({"--part", "8", "--after-rays", "64", "--picture", (folder / "seen.exr").string()});
+  EXPECT_EQ(window.wait(), 0) << window.log();
+  const ProcessResult rendered =
+      run({PATHMARK_PROGRAM, "render", "empty_furnace", "--with", coursework_.folder().string(),
+           "--mis", "--rays-per-pixel", "64", "--output", (folder / "rendered.exr").string()});
+  ASSERT_EQ(rendered.exitCode, 0) << rendered.output;
+  const Image seen = readImage(folder / "seen.exr").image;
+  EXPECT_EQ(seen.rgb, readImage(folder / "rendered.exr").image.rgb);
+  EXPECT_EQ(seen.pixel(0, 0)[2], 0.75f);
 }
 
 TEST_F(Preview, RendersAnewAfterASave) {
@@ -146,6 +168,36 @@ TEST_F(Preview, ShowsTheSceneThatIsSaved) {
   window.waitForTitle("scene");
   std::ofstream(scene) << text;
   EXPECT_TRUE(window.waitForTitleWithout("scene"));
+}
+
+// Red tells where the camera looks, green how many bounces the scene has.
+TEST_F(Preview, KeepsAMovedCameraWhenASceneIsSavedThatHasItsOwnWhereItWas) {
+  coursework_.setTracePath(
+      "  return {0.5f * ray.direction.x + 0.5f, 0.1f * static_cast<float>(maxBounces()), 0.0f};");
+  TemporaryFolder folder;
+  const fs::path scene = folder / "own.json";
+  const std::string text = textOf(fs::path(PATHMARK_ROOT) / "scenes/empty_furnace.json");
+  const auto withBounces = [&](const std::string& number) {
+    constexpr std::string_view kBounces = "\"maxBounces\": 8";
+    std::string changed = text;
+    return changed.replace(changed.find(kBounces), kBounces.size(), "\"maxBounces\": " + number);
+  };
+  std::ofstream(scene) << withBounces("8");
+  RealWindow window(display_, {scene.string(), "--with", coursework_.folder().string(), "--tab",
+                               "view", "--after-rays", "128"});
+  window.waitForTitle("128 rays");
+  const double ahead = pictureOf(window.screenshot())[0];
+  window.drag(400, 400, 600, 400);
+  const auto hasMoved = [&](double red) { return std::abs(red - ahead) > 0.1; };
+  ASSERT_TRUE(waitFor([&] { return hasMoved(pictureOf(window.screenshot())[0]); }));
+  const double green = pictureOf(window.screenshot())[1];
+  std::ofstream(scene) << withBounces("2");
+  std::array<double, 3> now{};
+  ASSERT_TRUE(waitFor([&] {
+    now = pictureOf(window.screenshot());
+    return now[1] < 0.5 * green;
+  }));
+  EXPECT_TRUE(hasMoved(now[0])) << now[0] << " " << ahead;
 }
 
 TEST_F(Preview, FillsAHighDensityWindow) {

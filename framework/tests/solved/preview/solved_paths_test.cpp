@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SolvedPaths,
 
 TEST(SolvedWarmUp, AddsUpToWhatItReturns) {
   PathRequest request = requestFor("cornell_box", test::solutions().folder);
-  request.estimator = Estimator::kWarmUp;
+  request.made = pictureOfPart(0);
   std::size_t bounces = 0;
   record(request, [&](const PathAnswer& answer) {
     for (std::size_t i = 0; i < answer.paths.size(); ++i) {

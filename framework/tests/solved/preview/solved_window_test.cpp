@@ -1,6 +1,7 @@
 // The window's panels with coursework that is right, and with one that is not.
 #include "film/image_file.h"
 #include "preview/real_window.h"
+#include "support/run_command.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,27 @@ TEST(PreviewPanels, SayHowManyFunctionsAreRight) {
   const Image other = windowOf(display, {"--with", wrong.folder().string(), "--tab", "progress"});
   EXPECT_GT(bluePixels(right, 70, 85), 4000);
   EXPECT_LT(bluePixels(other, 70, 85), 3000);
+}
+
+TEST(PreviewPanels, OfPart9BelongToThePictureWithLightsBySolidAngle) {
+  const VirtualDisplay display;
+  const TemporaryFolder folder;
+  RealWindow window(display, {"cornell_box", "--with", "solutions", "--part", "9", "--after-rays",
+                              "64", "--picture", (folder / "seen.exr").string()});
+  EXPECT_EQ(window.wait(), 0) << window.log();
+  const auto rendered = [&](std::vector<std::string> more) {
+    const fs::path file = folder / "rendered.exr";
+    std::vector<std::string> words{PATHMARK_PROGRAM, "render",           "cornell_box", "--with",
+                                   "solutions",      "--rays-per-pixel", "64",          "--output",
+                                   file.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProcessResult result = run(words);
+    EXPECT_EQ(result.exitCode, 0) << result.output;
+    return readImage(file).image.rgb;
+  };
+  const Image seen = readImage(folder / "seen.exr").image;
+  EXPECT_EQ(seen.rgb, rendered({"--solid-angle"}));
+  EXPECT_NE(seen.rgb, rendered({}));
 }
 
 TEST(PreviewPanels, DrawSamplesWithTheirHistograms) {
