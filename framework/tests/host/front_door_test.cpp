@@ -4,10 +4,26 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <sstream>
+#include <string>
+
 namespace pathmark::test {
 namespace {
 
 constexpr const char* kFrontDoor = PATHMARK_FRONT_DOOR;
+
+// The first word of each line that says what a command is for, in their order.
+std::set<std::string> commandsIn(const std::string& help) {
+  std::set<std::string> commands;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "Examples:") break;
+    if (!line.starts_with("  ") || line[2] < 'a' || line[2] > 'z') continue;
+    commands.insert(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return commands;
+}
 
 TEST(FrontDoor, HelpNeedsNoBuildAndCarriesExamples) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
@@ -33,6 +49,12 @@ TEST(FrontDoor, WorksThroughALinkAndFromAnyFolder) {
   TemporaryFolder folder;
   std::filesystem::create_symlink(kFrontDoor, folder / "pathmark");
   EXPECT_EQ(run({"./pathmark", "--help"}, folder.path()).exitCode, 0);
+}
+
+TEST(FrontDoor, HasEveryCommandOfTheProgram) {
+  const std::set<std::string> program = commandsIn(run({PATHMARK_PROGRAM, "--help"}).output);
+  EXPECT_TRUE(program.contains("export"));
+  EXPECT_EQ(commandsIn(run({kFrontDoor, "--help"}).output), program);
 }
 
 }  // namespace
