@@ -1,6 +1,8 @@
 #include "intersect/intersector.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace pathmark {
 
@@ -12,11 +14,22 @@ FlatSceneView flatPart(const FlatSceneView& scene, const Plan& plan) {
   return part;
 }
 
+template <class Primitive>
+bool anyFrontOnly(const FlatSceneView& scene, std::span<const Primitive> primitives,
+                  const std::vector<std::uint32_t>& which) {
+  return std::any_of(which.begin(), which.end(), [&](std::uint32_t i) {
+    return scene.shapes[primitives[i].shape].frontOnly != 0;
+  });
+}
+
 }  // namespace
 
 Intersector::Intersector(const FlatSceneView& scene, const Plan& plan)
     : flat_(flatPart(scene, plan), plan.flatTests),
-      occluders_(scene, plan.occludingTriangles, plan.occludingSpheres, plan.flatTests) {
+      occluders_(scene, plan.occludingTriangles, plan.occludingSpheres, plan.flatTests),
+      hidesOneWay_(anyFrontOnly(scene, scene.triangles, plan.occludingTriangles) ||
+                   anyFrontOnly(scene, scene.spheres, plan.occludingSpheres) ||
+                   (plan.triangles == TriangleTest::kHierarchy && scene.anyFrontOnly())) {
   if (plan.triangles == TriangleTest::kHierarchy) hierarchy_.emplace(scene);
   if (hierarchy_ && plan.cameraRaysTogether) packetSize_ = hierarchy_->packetSize();
 }

@@ -40,6 +40,10 @@ class Intersector {
            (hierarchy_ && hierarchy_->occluded(origin, segment));
   }
 
+  // Whether there is anything that hides one end of a segment from the other, but not the other
+  // way round.
+  bool hidesOneWay() const { return hidesOneWay_; }
+
   // The same of each segment of a fan.
   SegmentFan::Mask occluded(const SegmentFan& fan) const {
     const SegmentFan::Mask occluded = occluders_.occluded(fan);
@@ -51,6 +55,7 @@ class Intersector {
   FlatIntersector flat_, occluders_;  // without the triangles that are in the hierarchy
   std::optional<EmbreeIntersector> hierarchy_;
   std::size_t packetSize_ = 1;
+  bool hidesOneWay_;
 };
 
 }  // namespace pathmark

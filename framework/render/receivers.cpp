@@ -20,6 +20,17 @@ FloatV dot(const Vectors& a, const Vectors& b) { return a[0] * b[0] + a[1] * b[1
 
 FloatV dot(const Vectors& a, const Vector& b) { return a[0] * b.x + a[1] * b.y + a[2] * b.z; }
 
+SegmentFan::Mask occludedOneByOne(const SceneCore& core, const LaneArray (&origins)[3],
+                                  const Point& end, const SegmentFan::Mask& lanes) {
+  SegmentFan::Mask occluded(false);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (!lanes[i]) continue;
+    const Point origin(origins[0].lane[i], origins[1].lane[i], origins[2].lane[i]);
+    occluded[i] = core.occluded(origin, end - origin);
+  }
+  return occluded;
+}
+
 }  // namespace
 
 Receivers::Receivers(std::size_t pixels) : groups_((pixels + kLanes - 1) / kLanes) {
@@ -56,8 +67,11 @@ std::uint64_t Receivers::look(const SceneCore& core, const Hit& y, std::size_t e
     FloatV cosX = dot(load(group.n), wi);
     SegmentFan::Mask lanes = cosX > 0.0f && cosY > 0.0f;
     if (except / kLanes == g) lanes[except % kLanes] = false;
-    if (any_of(lanes)) {
-      shadowRays += static_cast<std::uint64_t>(popcount(lanes));
+    if (any_of(lanes)) shadowRays += static_cast<std::uint64_t>(popcount(lanes));
+    if (any_of(lanes) && core.hidesOneWay()) {
+      // As the pixels' own rays would go.
+      lanes = lanes && !occludedOneByOne(core, group.origin, start, lanes);
+    } else if (any_of(lanes)) {
       const Vectors back = towards(start, load(group.origin));
       lanes = lanes && !core.occluded({start, {-back[0], -back[1], -back[2]}, lanes});
     }

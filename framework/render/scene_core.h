@@ -51,6 +51,13 @@ class SceneCore {
 
   bool visible(const Hit& from, const LightSample& to) const;
 
+  // Whether anything lies on a segment, whose ends were moved off surfaces.
+  bool occluded(const Point& origin, const Vector& segment) const {
+    return intersector_.occluded(origin, segment);
+  }
+  // Whether that may depend on at which end the segment starts.
+  bool hidesOneWay() const { return intersector_.hidesOneWay(); }
+
   // On which segments of a fan, whose ends were moved off surfaces, anything lies.
   SegmentFan::Mask occluded(const SegmentFan& fan) const { return intersector_.occluded(fan); }
 

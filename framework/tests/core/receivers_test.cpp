@@ -88,6 +88,41 @@ TEST_F(ReceiversOfABox, SeeWhatASegmentOfTheirOwnWouldTell) {
   EXPECT_GT(behind, 1000);
 }
 
+// A ray that comes from above meets the slat, and one from below passes through.
+ShapeScene slatInABox() {
+  ShapeScene scene;
+  scene.addBox(vec3(0.0f), {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, true);
+  const vec3 a(-0.7f, 0, -0.7f), b(-0.7f, 0, 0.7f), c(0.7f, 0, 0.7f), d(0.7f, 0, -0.7f);
+  scene.addTriangle(a, b, c, ShapeScene::kFrontOnly);
+  scene.addTriangle(a, c, d, ShapeScene::kFrontOnly);
+  return scene;
+}
+
+TEST(ReceiversBesideASlat, SeeWhatTheirOwnRaysWouldMeet) {
+  const ShapeScene scene = slatInABox();
+  for (const bool hierarchy : {false, true}) {
+    const Skips skips = hierarchy ? Skips{}.without(Skip::kHierarchyOfFew) : Skips{};
+    const SceneCore core(scene.view(), ShadowOrigins::kAnywhere, skips);
+    ASSERT_TRUE(core.hidesOneWay());
+    RandomNumbers random(42);
+    Receivers receivers(2);
+    int asymmetric = 0;
+    for (int k = 0; k < 20000; ++k) {
+      Hit x, y;
+      if (!core.intersect({random.inCube(0.95f), random.direction()}, x) ||
+          !core.intersect({random.inCube(0.95f), random.direction()}, y))
+        continue;
+      receivers.put(1, x);
+      if (receivers.look(core, y, 0) == 0) continue;
+      const Point from = x.spawnRay(x.n).origin, to = y.spawnRay(y.n).origin;
+      const bool hidden = core.occluded(from, to - from);
+      ASSERT_EQ(receivers.sees(1), !hidden);
+      asymmetric += hidden != core.occluded(to, from - to) ? 1 : 0;
+    }
+    EXPECT_GT(asymmetric, 100);
+  }
+}
+
 TEST_F(ReceiversOfABox, TraceNoRayWhereNoneIsInFront) {
   Receivers receivers(4);
   Hit floor;
