@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr int kLongestSide = 40;
 constexpr int kMostRays = 64;  // of a pixel
+// Where those have found nothing: light may come on few paths only.
+constexpr int kRaysInTheDark = 512;
 constexpr std::uint64_t kReplicates = 8;
 constexpr int kTiles = 8;  // in each direction
 
@@ -72,6 +74,10 @@ std::vector<TileNoise> tileNoise(const std::vector<PlainImage>& replicates) {
   return tiles;
 }
 
+bool isBlack(const PlainImage& image) {
+  return std::all_of(image.rgb.begin(), image.rgb.end(), [](double v) { return v == 0.0; });
+}
+
 std::string percent(double share) {
   const double value = 100.0 * share;
   return value < 9.5 ? fmt::format("{:.1g}%", value) : fmt::format("{:.0f}%", value);
@@ -89,22 +95,43 @@ std::string noiseInWords(std::vector<TileNoise> tiles, int rays) {
       percent(tiles[tiles.size() / 2].deviation));
 }
 
+struct Rendered {
+  std::vector<PlainImage> replicates;
+  std::optional<Finding> invalid;
+
+  bool black() const { return std::all_of(replicates.begin(), replicates.end(), isBlack); }
+};
+
+Rendered renderReplicates(const SceneFinding& finding, const LoadedScene& scene, CheckRun& run,
+                          int rays) {
+  SmallRender small(run, loadShrunk(finding.file, scene), scene.name,
+                    static_cast<std::uint64_t>(rays));
+  Rendered rendered;
+  for (std::uint64_t k = 0; k < kReplicates && !small.invalid(); ++k)
+    rendered.replicates.push_back(small.render(k).image());
+  rendered.invalid = small.invalid();
+  return rendered;
+}
+
 void render(SceneFinding& finding, const LoadedScene& scene, WorkerProcess& worker,
             std::uint64_t seed) {
   stats::ErrorBudget unused;
   CheckRun run{worker, seed, unused};
-  const int rays = std::min(scene.raysPerPixel, kMostRays);
-  SmallRender small(run, loadShrunk(finding.file, scene), scene.name,
-                    static_cast<std::uint64_t>(rays));
-  std::vector<PlainImage> replicates;
-  for (std::uint64_t k = 0; k < kReplicates && !small.invalid(); ++k)
-    replicates.push_back(small.render(k).image());
-  if (small.invalid()) {
-    finding.status = Status::kFail;
-    finding.message = fmt::format("{}: {}", small.invalid()->where, small.invalid()->got);
-    return;
+  int rays = std::min(scene.raysPerPixel, kMostRays);
+  Rendered rendered = renderReplicates(finding, scene, run, rays);
+  if (!rendered.invalid && rendered.black()) {
+    rays = kRaysInTheDark;
+    rendered = renderReplicates(finding, scene, run, rays);
   }
-  finding.noise = noiseInWords(tileNoise(replicates), rays);
+  if (rendered.invalid) {
+    finding.status = Status::kFail;
+    finding.message = fmt::format("{}: {}", rendered.invalid->where, rendered.invalid->got);
+  } else if (rendered.black()) {
+    finding.status = Status::kFail;
+    finding.message = "the picture is black: no light of the scene reaches what the camera sees";
+  } else {
+    finding.noise = noiseInWords(tileNoise(rendered.replicates), rays);
+  }
 }
 
 SceneFinding checkScene(const fs::path& file, const WholeWorker& worker, std::uint64_t seed) {

@@ -3,8 +3,8 @@
 //   SceneFinding   what there is to say of one
 //   checkScenes    of all files in the coursework's folder scenes/
 //
-// Nothing in a scene can be wrong but its format. What is measured is for its author: whether the
-// noise is where the caption expects it.
+// Nothing in a scene can be wrong but its format, and that there is nothing to be seen. What is
+// measured is for its author: whether the noise is where the caption expects it.
 #pragma once
 
 #include "checks/check.h"

@@ -153,14 +153,35 @@ void ClassFolder::removeScratch(const std::string& name) const {
   fs::remove_all(folder_ / ".work" / name, ignored);
 }
 
+void ClassFolder::expectNoOther(const std::string& name, const std::string& source) const {
+  const std::optional<record::SubmissionRecord> known = find(name);
+  if (!known || known->source.empty() || known->source == source) return;
+  std::error_code error;
+  if (!fs::exists(known->source, error)) return;
+  throw UsageError(
+      fmt::format("{}: this is the record of {}, and that of {} would replace it: rename one of "
+                  "them, give another folder with --out, or remove this one.",
+                  displayPath(folderOf(name)), known->source, source));
+}
+
 void ClassFolder::put(const Judged& judged) const {
   const std::string& name = judged.record.name;
+  expectNoOther(name, judged.record.source);
   const fs::path made = scratch(name + ".new"), place = folderOf(name);
   fs::create_directories(made / "pictures");
   for (const auto& [file, bytes] : judged.files) writeFileAtomically(made / file, bytes);
   record::writeRecord(judged.record, made / "record.json");
   fs::remove_all(place);
   fs::rename(made, place);
+}
+
+void ClassFolder::removeRenamed(const std::map<std::string, std::string>& sources) const {
+  for (const std::string& name : names()) {
+    const std::optional<record::SubmissionRecord> known = find(name);
+    if (!known) continue;
+    const auto now = sources.find(known->source);
+    if (now != sources.end() && now->second != name) fs::remove_all(folderOf(name));
+  }
 }
 
 }  // namespace pathmark::grading

@@ -57,8 +57,17 @@ class ClassFolder {
   std::filesystem::path scratch(const std::string& name) const;
   void removeScratch(const std::string& name) const;
 
-  // Replaces what there is of this submission. Throws ImageError or std::filesystem_error.
+  // Throws UsageError if there is a record of that name whose source is another one that is still
+  // there. One that is gone has been handed in anew, or moved.
+  void expectNoOther(const std::string& name, const std::string& source) const;
+
+  // Replaces what there is of this submission. Throws as expectNoOther, or ImageError or
+  // std::filesystem_error.
   void put(const Judged& judged) const;
+
+  // Of sources that have a new name: what there is under others. `sources` leads from each to its
+  // name.
+  void removeRenamed(const std::map<std::string, std::string>& sources) const;
 
  private:
   void lock();

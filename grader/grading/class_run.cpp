@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -20,6 +21,11 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using record::SubmissionRecord;
 using submission::Submission;
+
+// As it stands in records.
+std::string sourceOf(const Submission& submission) {
+  return fs::absolute(submission.source).lexically_normal().string();
+}
 
 // How far all are together. Safe to use from several threads.
 class Pace {
@@ -79,14 +85,22 @@ class ClassRun {
         pace_(submissions.size(), events) {}
 
   std::vector<std::string> run() {
+    // Before hours of work whose records could not be kept.
+    for (const Submission& submission : submissions_)
+      folder_.expectNoOther(submission.name, sourceOf(submission));
     std::vector<std::thread> others;
     for (unsigned k = 1; k < options_.jobs; ++k) others.emplace_back([this] { work(); });
     work();
     for (std::thread& other : others) other.join();
     if (error_) std::rethrow_exception(error_);
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < submissions_.size(); ++i)
-      if (graded_[i]) names.push_back(submissions_[i].name);
+    std::map<std::string, std::string> sources;
+    for (std::size_t i = 0; i < submissions_.size(); ++i) {
+      if (!graded_[i]) continue;
+      names.push_back(submissions_[i].name);
+      sources.emplace(sourceOf(submissions_[i]), submissions_[i].name);
+    }
+    folder_.removeRenamed(sources);
     return names;
   }
 
@@ -124,7 +138,7 @@ class ClassRun {
     Judged judged = tryTwice(i, name, collected);
     SubmissionRecord& record = judged.record;
     record.name = name;
-    record.source = fs::absolute(submission.source).lexically_normal().string();
+    record.source = sourceOf(submission);
     record.contents = collected.contents;
     record.collecting = collected.remarks;
     if (!collected.failure.empty())

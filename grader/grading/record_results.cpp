@@ -76,7 +76,8 @@ void tellFailure(record::PartRecord& part, const PartBuild& build,
     part.message = part.verdict == Verdict::kNotWritten ? "The file is not in the submission."
                                                         : build.messages;
   } else if (result != nullptr) {
-    part.verdict = Verdict::kDoesNotCompile;
+    // One that is stopped while its constants are made has compiled.
+    part.verdict = result->fault ? verdictOf(*result->fault) : Verdict::kDoesNotCompile;
     part.message = result->failure;
   } else {
     part.verdict = Verdict::kTimeLimit;

@@ -80,22 +80,27 @@ double rootOf(double square) { return std::sqrt(std::max(square, 0.0)); }
 }  // namespace
 
 record::Estimate tileBias(const Image& a, const Image& b) {
+  const std::array<double, 3> brightnesses{meanOf(b, 0), meanOf(b, 1), meanOf(b, 2)};
   double sum = 0.0, variance = 0.0, certain = 0.0, count = 0.0;
-  for (int channel = 0; channel < 3; ++channel) {
-    const double brightness = meanOf(b, channel);
-    if (brightness <= 0.0) continue;
-    for (const Tile& tile : tilesOf(b)) {
+  for (const Tile& tile : tilesOf(b)) {
+    // The three channels come from the same paths, so that their noise may be the same: standard
+    // deviations add, and not variances. No dependence has a larger sum.
+    double deviation = 0.0;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double brightness = brightnesses[static_cast<std::size_t>(channel)];
+      if (brightness <= 0.0) continue;
       const Difference d = differenceIn(a, b, tile, channel);
       const double noise = d.variance / (brightness * brightness);
       const double square = d.mean * d.mean / (brightness * brightness) - noise;
       sum += square;
       // Of a squared normal variable with this noise around its mean.
-      variance += 2.0 * noise * noise + 4.0 * std::max(square, 0.0) * noise;
+      deviation += std::sqrt(2.0 * noise * noise + 4.0 * std::max(square, 0.0) * noise);
       // One wild tile makes the variance useless; the others show what they show all the same.
       const double least = std::abs(d.mean) / brightness - kEveryTile * std::sqrt(noise);
       certain += least > 0.0 ? least * least : 0.0;
       ++count;
     }
+    variance += deviation * deviation;
   }
   if (count == 0.0) return {};
   const double square = sum / count, error = kQuantile * std::sqrt(variance) / count;

@@ -36,6 +36,11 @@ std::string partNames(const std::vector<int>& parts) {
   return names;
 }
 
+std::string_view wordsOf(Verdict verdict, bool several) {
+  if (several && verdict == Verdict::kDoesNotCompile) return "do not compile";
+  return nameOf(verdict);
+}
+
 }  // namespace
 
 std::optional<Verdict> verdictOfPart(const SubmissionRecord& record, int part) {
@@ -69,7 +74,7 @@ std::vector<std::string> whatIsWrong(const SubmissionRecord& record) {
       groups.emplace_back(*verdict, std::vector<int>{part});
   }
   for (const auto& [verdict, parts] : groups)
-    sentences.push_back(fmt::format("{} {}", partNames(parts), nameOf(verdict)));
+    sentences.push_back(fmt::format("{} {}", partNames(parts), wordsOf(verdict, parts.size() > 1)));
   return sentences;
 }
 

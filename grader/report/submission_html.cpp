@@ -6,6 +6,7 @@
 #include "report/part_html.h"
 #include "report/plots.h"
 #include "report/record_words.h"
+#include "report/shell_word.h"
 
 #include <algorithm>
 
@@ -131,17 +132,6 @@ Markup printed(const SubmissionRecord& record) {
       cutAfter(cleanText(record.printed), kLongestPrinted));
 }
 
-// For a shell: in single quotes unless it is plain.
-std::string quoted(std::string_view word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos)
-    return std::string(word);
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 Markup howItWasMade(const SubmissionRecord& record) {
   Markup rows = term("seed", fmt::format("{}", record.seed));
   rows += term("sandbox", record.build.sandbox);
@@ -158,7 +148,7 @@ Markup howItWasMade(const SubmissionRecord& record) {
       "The same seed gives the same marks, on any number of threads:</p>\n"
       "<pre tabindex=\"0\"><code>./pathmark grade {} --seed {}</code></pre>\n"
       "<dl class=\"facts\">{}</dl></section>\n",
-      cleanLine(quoted(record.source)), record.seed, rows);
+      cleanLine(shellWord(record.source)), record.seed, rows);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "checks/all_checks.h"
 #include "host/display_path.h"
 #include "host/where_to_look.h"
+#include "report/shell_word.h"
 
 #include <fmt/format.h>
 
@@ -62,7 +63,9 @@ std::string details(const CheckResult& result, std::uint64_t seed, const Style& 
   std::string text = fmt::format("{:{}}{}\n", "", kIndent,
                                  wrapped(fmt::format("{}.", result.check->statement), kIndent));
   for (const Field& field : fieldsOf(result)) addField(text, field.name, field.value);
-  addField(text, "repeat", repeatCommand(result, seed, style.with));
+  // In one line, however long: a break in it would be copied.
+  text += fmt::format("{:{}}{:<11}{}\n", "", kIndent, "repeat",
+                      repeatCommand(result, seed, style.with));
   return text;
 }
 
@@ -218,7 +221,7 @@ std::vector<Field> fieldsOf(const CheckResult& result) {
 
 std::string repeatCommand(const CheckResult& result, std::uint64_t seed, const std::string& with) {
   std::string command = fmt::format("./pathmark check {} --seed {}", idOf(*result.check), seed);
-  if (with != "student") command += " --with " + with;
+  if (with != "student") command += " --with " + shellWord(with);
   return command;
 }
 
@@ -253,10 +256,12 @@ std::string imageLines(const CourseworkResults& results, const Style& style) {
     text += fmt::format("  {} {}", statusColumn(r.finding.status, style), r.check->name);
     if (r.finding.status == Status::kBlocked)
       text += fmt::format("  by {}\n", r.finding.cause);
-    else if (r.finding.passed())
-      text += fmt::format(": {}\n", r.check->statement);
-    else
+    else if (!r.finding.passed())
       text.append("\n").append(details(r, results.seed, style));
+    else
+      text += fmt::format(": {}\n", r.check->statement);
+    // What is not judged, but said.
+    if (r.finding.passed()) addField(text, "got", r.finding.got);
     addField(text, "note", r.finding.remark);
   }
   return text;

@@ -178,10 +178,27 @@ std::vector<MarkLine> markPart(const record::PartRecord& part, const PartRubric&
   return lines;
 }
 
+namespace {
+
+// "scenes/a.json was refused: ...", wherever the submission has its scenes/.
+bool isOfARefusedScene(const std::string& remark) {
+  const std::size_t end = remark.find(" was refused: ");
+  return end != std::string::npos && remark.substr(0, end).find(".json") != std::string::npos &&
+         remark.substr(0, end).find("cenes/") != std::string::npos;
+}
+
+std::string whyThereIsNoScene(const record::SubmissionRecord& record) {
+  const auto refused =
+      std::find_if(record.collecting.begin(), record.collecting.end(), isOfARefusedScene);
+  return refused == record.collecting.end() ? "There is no scene in scenes/." : *refused;
+}
+
+}  // namespace
+
 std::vector<MarkLine> markScenes(const record::SubmissionRecord& record, const PartRubric& worth,
                                  const Rubric& rubric, std::vector<std::string>& toReview) {
   if (record.scenes.empty() && !isComplete(record)) return {};
-  MarkLine best{"a scene", -1.0, worth.points, "There is no scene in scenes/."};
+  MarkLine best{"a scene", -1.0, worth.points, whyThereIsNoScene(record)};
   for (const record::SceneRecord& scene : record.scenes) {
     // A scene of which only the rendering was blocked is as good as it can be without the parts.
     const bool blocked = scene.verdict == Verdict::kBlocked;

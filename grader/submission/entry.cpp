@@ -1,29 +1,18 @@
 #include "submission/entry.h"
 
+#include "submission/utf8.h"
+
 #include <fmt/format.h>
 
 namespace pathmark::submission {
 
 namespace {
 
-// The Unicode Standard, table 3-7: no overlong forms, no surrogates, nothing above U+10FFFF.
 bool isUtf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t at) {
-      return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u;
-    };
-    const unsigned first = byte(i), second = byte(i + 1);
-    std::size_t more = 0;
-    if (first >= 0xc2 && first <= 0xdf) more = 1;
-    if (first >= 0xe0 && first <= 0xef) more = 2;
-    if (first >= 0xf0 && first <= 0xf4) more = 3;
-    if (first >= 0x80 && more == 0) return false;
-    const bool badSecond = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-                           (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
-    if (badSecond) return false;
-    for (std::size_t k = 1; k <= more; ++k)
-      if ((byte(i + k) & 0xc0) != 0x80) return false;
-    i += more + 1;
+  while (!text.empty()) {
+    const std::size_t bytes = firstOf(text).bytes;
+    if (bytes == 0) return false;
+    text.remove_prefix(bytes);
   }
   return true;
 }

@@ -1,5 +1,7 @@
 #include "submission/names.h"
 
+#include "submission/utf8.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,17 +34,19 @@ std::string lowerCase(std::string_view text) {
 
 std::string safeName(std::string_view name) {
   std::string safe;
-  for (const char c : name) {
-    // A run of other characters, such as the bytes of one letter, becomes one '_'.
-    if (isSafe(c)) {
-      safe += c;
+  while (!name.empty()) {
+    const std::size_t bytes = isSafe(name.front()) ? 1 : bytesOfNameLetter(name);
+    // A run of other characters becomes one '_'.
+    if (bytes > 0) {
+      safe += name.substr(0, bytes);
     } else if (safe.empty() || safe.back() != '_') {
       safe += '_';
     }
+    name.remove_prefix(std::max<std::size_t>(bytes, 1));
   }
   // Neither hidden, nor an option, nor ".".
   safe.erase(0, std::min(safe.find_first_not_of(".-"), safe.size()));
-  safe.resize(std::min(safe.size(), kLongestName));
+  safe.resize(cutAtCharacter(safe, kLongestName).size());
   const bool saysSomething = safe.find_first_not_of("._-") != std::string::npos;
   return saysSomething ? safe : "submission";
 }
@@ -51,7 +55,7 @@ std::string UniqueNames::unique(const std::string& safe) {
   std::string name = safe;
   for (int count = 2; !taken_.insert(lowerCase(name)).second; ++count) {
     const std::string ending = fmt::format("-{}", count);
-    name = safe.substr(0, kLongestName - ending.size()) + ending;
+    name = fmt::format("{}{}", cutAtCharacter(safe, kLongestName - ending.size()), ending);
   }
   return name;
 }

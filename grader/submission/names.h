@@ -13,10 +13,11 @@
 
 namespace pathmark::submission {
 
-inline constexpr std::size_t kLongestName = 80;
+inline constexpr std::size_t kLongestName = 80;  // bytes
 
 std::string lowerCase(std::string_view text);  // of ASCII letters
 
+// Letters of all scripts stay: names differ as those of the folders do.
 std::string safeName(std::string_view name);
 
 class UniqueNames {

@@ -3,6 +3,7 @@
 #include "host/content_hash.h"
 #include "scene/syntax_sentence.h"
 #include "submission/names.h"
+#include "submission/utf8.h"
 #include "worker/contract.h"
 
 #include <fmt/format.h>
@@ -56,15 +57,26 @@ bool isNearMiss(const std::vector<std::string>& path) {
          std::none_of(path.begin(), path.end(), isProjectFolder);
 }
 
-// Names that scenes of any system can be written under, and that mean nothing to a shell.
-bool isPlain(const std::string& piece) {
+bool isPlain(char c) {
   constexpr std::string_view kOthers = " ._-()+,";
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+         kOthers.find(c) != std::string_view::npos;
+}
+
+bool holdsPlainOnly(std::string_view piece) {
+  while (!piece.empty()) {
+    const std::size_t bytes = isPlain(piece.front()) ? 1 : bytesOfNameLetter(piece);
+    if (bytes == 0) return false;
+    piece.remove_prefix(bytes);
+  }
+  return true;
+}
+
+// Names that scenes of any system can be written under, and that mean nothing to a shell.
+bool isPlainName(const std::string& piece) {
   return !piece.starts_with('.') && !piece.starts_with('-') && !piece.starts_with(' ') &&
          !piece.ends_with(' ') && !piece.ends_with('.') && piece.size() <= 100 &&
-         std::all_of(piece.begin(), piece.end(), [&](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                  kOthers.find(c) != std::string_view::npos;
-         });
+         holdsPlainOnly(piece);
 }
 
 // Why an entry under the name of a coursework file is none; empty for a file.
@@ -269,10 +281,10 @@ Collected Sorter::finish() {
     const std::string name = sceneTarget(*candidate, folders);
     if (name.empty()) {
       ignored_ += candidate->problem == "is a folder" ? 0 : 1;
-    } else if (!std::all_of(candidate->path.begin() + 1, candidate->path.end(), isPlain)) {
+    } else if (!std::all_of(candidate->path.begin() + 1, candidate->path.end(), isPlainName)) {
       note(
-          fmt::format("{} was refused: names of scenes and meshes have letters, digits, spaces "
-                      "and . _ - ( ) + , only.",
+          fmt::format("{} was refused: names of scenes and meshes have letters (of all scripts), "
+                      "digits, spaces and . _ - ( ) + , only.",
                       joined(candidate->path)));
     } else {
       scenes[lowerCase(name)].push_back(candidate);

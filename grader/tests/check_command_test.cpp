@@ -70,6 +70,54 @@ TEST(CheckCommand, SaysOfAFailureWhereWhatWhyAndHowToRepeatIt) {
   expectHas(again, "got        f[0] = 0.9");
 }
 
+TEST(CheckCommand, QuotesACourseworkWithSpacesForTheShell) {
+  CourseworkCopy copy;
+  copy.replace(kLambertian, "Kd * kInvPi", "Kd");
+  const TemporaryFolder folder;
+  const std::string place = (folder / "it's mine").string();
+  fs::copy(copy.path(), place);
+  const std::string inQuotes = (folder / "it'\\''s mine").string();
+  expectHas(check({"3.1/value", "--with", place}),
+            std::string("./pathmark check 3.1/value --seed 1 --with '") + inQuotes + "'\n");
+}
+
+TEST(CheckCommand, SaysHowMuchNoiseIsLeft) {
+  const ProcessResult result = check({"images/noise", "--with", "solutions"});
+  EXPECT_TRUE(std::regex_search(
+      result.output,
+      std::regex("got +variance / that of the reference = [0-9]+\\.[0-9]+ \\+- [0-9]+\\.[0-9]+\n")))
+      << result.output;
+}
+
+// The floor is seen by the camera; its lamp is missing, or looks away from it, or is there.
+std::string sceneWithLamp(const std::string& lamp) {
+  return R"({"caption": "A floor.", "size": [40, 40], "maxBounces": 4, "raysPerPixel": 4,
+ "camera": {"eye": [0, 2, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": 40},
+ "materials": {"grey": {"type": "lambertian", "Kd": [0.5, 0.5, 0.5]}},
+ "shapes": [{"type": "rectangle", "material": "grey",
+   "vertices": [[-2, 0, 2], [2, 0, 2], [2, 0, -2], [-2, 0, -2]]})" +
+         lamp + "]}";
+}
+
+TEST(CheckCommand, SaysThatASceneIsBlack) {
+  const CourseworkCopy copy;
+  fs::create_directory(copy.file("scenes"));
+  const std::string begin =
+      R"(, {"type": "rectangle", "material": "grey", "emission": [9, 9, 9], "vertices": )";
+  const std::string black = "wrong      the picture is black: no light of the scene reaches";
+  const auto checked = [&](const std::string& lamp) {
+    std::ofstream(copy.file("scenes/mine.json")) << sceneWithLamp(lamp);
+    return check({"7", "--with", copy.with()});
+  };
+  const ProcessResult none = checked("");
+  EXPECT_EQ(none.exitCode, 1);
+  expectHas(none, black);
+  expectHas(checked(begin + "[[-1, 3, 1], [1, 3, 1], [1, 3, -1], [-1, 3, -1]]}"), black);
+  const ProcessResult lit = checked(begin + "[[-1, 3, -1], [1, 3, -1], [1, 3, 1], [-1, 3, 1]]}");
+  EXPECT_EQ(lit.exitCode, 0);
+  expectHas(lit, "noise      most of it is in the");
+}
+
 TEST(CheckCommand, GivesTheSameAnswerForTheSameSeed) {
   const auto withoutTime = [](const ProcessResult& result) {
     return std::regex_replace(result.output, std::regex(", [0-9.]+ s\\)"), "");

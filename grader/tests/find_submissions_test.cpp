@@ -128,7 +128,7 @@ TEST_F(Finding, NamesAreUniqueAndSafe) {
   Names lower;
   for (const std::string& name : all) lower.push_back(lowerCase(name));
   std::sort(lower.begin(), lower.end());
-  EXPECT_EQ(lower, (Names{"_b_", "work", "work-2", "work-2-2", "work-3"}));
+  EXPECT_EQ(lower, (Names{"work", "work-2", "work-2-2", "work-3", "\u00dc\u00e9_b_"}));
 }
 
 TEST(SubmissionNames, AreSafeInFoldersTablesAndTerminals) {
@@ -142,6 +142,34 @@ TEST(SubmissionNames, AreSafeInFoldersTablesAndTerminals) {
   UniqueNames names;
   EXPECT_EQ(names.unique(std::string(80, 'a')).size(), kLongestName);
   EXPECT_EQ(names.unique(std::string(80, 'a')), std::string(78, 'a') + "-2");
+}
+
+TEST_F(Finding, NamesDoNotDependOnWhoElseIsThere) {
+  const std::string mueller = "M\u00fcller", moeller = "M\u00f6ller";
+  for (const std::string& name : {mueller, moeller}) write("class/" + name + "/part0_warmup.cpp");
+  EXPECT_EQ(namesOf({"class"}), (Names{moeller, mueller}));
+  EXPECT_EQ(namesOf({"class/" + mueller}), Names{mueller});
+}
+
+TEST(SubmissionNames, KeepLettersOfAllScripts) {
+  for (const char* name : {"Zo\u00eb", "\u5c71\u7530\u592a\u90ce", "\u039b\u03ac\u03bc\u03b4\u03b1",
+                           "\U0001d538", "Mu\u0308ller"})
+    EXPECT_EQ(safeName(name), name);
+  // No UTF-8: a byte alone, an overlong slash, a surrogate, one beyond U+10FFFF, one cut off.
+  for (const char* bytes : {"\xfc", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
+    EXPECT_EQ(safeName(std::string("a") + bytes), "a_");
+  // Controls, spaces, and what turns the direction of writing round.
+  for (const char* unseen : {"\u0085", "\u00a0", "\u2028", "\u202e", "\u200b", "\ufeff"})
+    EXPECT_EQ(safeName(std::string("a") + unseen + "b"), "a_b");
+}
+
+TEST(SubmissionNames, AreCutBetweenCharacters) {
+  std::string letters;
+  for (int i = 0; i < 40; ++i) letters += "\u5c71";  // of three bytes each
+  EXPECT_EQ(safeName(letters), letters.substr(0, 78));
+  UniqueNames names;
+  EXPECT_EQ(names.unique(safeName(letters)), letters.substr(0, 78));
+  EXPECT_EQ(names.unique(safeName(letters)), letters.substr(0, 78) + "-2");
 }
 
 TEST(SubmissionNames, AreInNaturalOrder) {

@@ -165,6 +165,53 @@ TEST_F(GradeCommand, GradesAgainWhatHasADamagedRecord) {
   EXPECT_EQ(record("right")["parts"][0]["verdict"], "ok");
 }
 
+TEST_F(GradeCommand, KeepsApartNamesThatDifferBeyondAscii) {
+  for (const char* name : {"M\u00fcller", "M\u00f6ller"}) {
+    add(name);
+    const ProcessResult result = run({PATHMARK_PROGRAM, "grade", quoted(classFolder() / name),
+                                      "--out", quoted(out()), "--only", "part6"},
+                                     kRoot);
+    EXPECT_EQ(result.exitCode, 0) << result.output;
+  }
+  EXPECT_EQ(record("M\u00fcller")["source"], quoted(classFolder() / "M\u00fcller"));
+  EXPECT_EQ(record("M\u00f6ller")["source"], quoted(classFolder() / "M\u00f6ller"));
+  const std::string csv = textOf(out() / "marks.csv");
+  EXPECT_FALSE(rowOf(csv, "M\u00fcller").empty()) << csv;
+  EXPECT_FALSE(rowOf(csv, "M\u00f6ller").empty()) << csv;
+}
+
+TEST_F(GradeCommand, ReplacesNoRecordOfAnotherSubmission) {
+  add("ada");
+  ASSERT_EQ(grade().exitCode, 0);
+  const std::string before = textOf(recordOf("ada"));
+  fs::copy(classFolder(), folder_ / "group2", fs::copy_options::recursive);
+  const std::vector<std::string> other{
+      PATHMARK_PROGRAM, "grade", quoted(folder_ / "group2/ada"), "--out", quoted(out()),
+      "--only",         "part6"};
+  const ProcessResult refused = run(other, kRoot);
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_NE(refused.output.find("this is the record of " + quoted(classFolder() / "ada")),
+            std::string::npos)
+      << refused.output;
+  EXPECT_EQ(textOf(recordOf("ada")), before);
+  // What it was made from has been handed in anew, or moved.
+  fs::remove_all(classFolder());
+  std::ofstream(folder_ / "group2/ada/part6_roulette.cpp", std::ios::app) << "// new\n";
+  EXPECT_EQ(run(other, kRoot).exitCode, 0);
+  EXPECT_EQ(record("ada")["source"], quoted(folder_ / "group2/ada"));
+}
+
+TEST_F(GradeCommand, LeavesNoRowUnderTheOldNameOfASubmission) {
+  add("ada");
+  ASSERT_EQ(grade().exitCode, 0);
+  // As if the same folder had been called otherwise by then.
+  fs::rename(recordOf("ada").parent_path(), out() / "submissions" / "a_a");
+  ASSERT_EQ(grade().exitCode, 0);
+  EXPECT_FALSE(fs::exists(recordOf("a_a")));
+  EXPECT_TRUE(fs::exists(recordOf("ada")));
+  EXPECT_EQ(rowOf(textOf(out() / "marks.csv"), "a_a"), "");
+}
+
 TEST_F(GradeCommand, KeepsTheSeedOfItsFolder) {
   add("right");
   ASSERT_EQ(grade({"--seed", "3"}).exitCode, 0);

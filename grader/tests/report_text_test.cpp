@@ -108,6 +108,13 @@ TEST(ClassTable, SaysWhatIsWrongInARowForEachSubmission) {
   EXPECT_NE(table.find("parts 0 and 3 wrong"), std::string::npos) << table;
 }
 
+TEST(ClassTable, SpeaksOfSeveralPartsInThePlural) {
+  test::SampleClass c = test::sampleClass();
+  for (const std::size_t place : {3u, 4u})
+    c.records[0].parts.at(place).verdict = record::Verdict::kDoesNotCompile;
+  EXPECT_NE(classTable(c.graded(), false).find("parts 3 and 4 do not compile"), std::string::npos);
+}
+
 TEST(ClassTable, HasColourOnlyIfAsked) {
   test::SampleClass c = test::sampleClass();
   for (record::SubmissionRecord& record : c.records) record = test::withHostileTexts(record);

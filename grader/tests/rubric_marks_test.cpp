@@ -383,6 +383,17 @@ TEST_F(Marking, OneGoodSceneIsEnough) {
   EXPECT_EQ(points({Verdict::kWrong}), 0.0);
   EXPECT_EQ(marksOf(mark(), kScenesPart).lines[0].reason, "a.json: There is no camera.");
   EXPECT_EQ(points({}), 0.0);
+  EXPECT_EQ(marksOf(mark(), kScenesPart).lines[0].reason, "There is no scene in scenes/.");
+}
+
+TEST_F(Marking, ASceneThatWasRefusedIsNotCalledMissing) {
+  const std::string refused =
+      "work/scenes/a:b.json was refused: names of scenes have letters only.";
+  record_.scenes.clear();
+  record_.collecting = {"notes.json was refused: it is a link.", refused};
+  const MarkLine line = marksOf(mark(), kScenesPart).lines[0];
+  EXPECT_EQ(line.points, 0.0);
+  EXPECT_EQ(line.reason, refused);
 }
 
 TEST_F(Marking, TheWholeIsMarkedByItsPictures) {

@@ -156,6 +156,17 @@ TEST_F(Collecting, RefusesSceneNamesThatAreNotPlain) {
   expectRemark(one, "scenes/-rf.json was refused: names of scenes");
 }
 
+TEST_F(Collecting, TakesScenesWithLettersOfAllScriptsInTheirNames) {
+  const Collected one = collected(MadeArchive()
+                                      .file(kPart4)
+                                      .file("scenes/K\u00fcche.json", "{}")
+                                      .file("scenes/\u5c71/\u7530.obj")
+                                      .file("scenes/a\u202eb.json")
+                                      .file("scenes/a\u00a0b.json"));
+  EXPECT_EQ(names(one), (Names{kPart4, "scenes/K\u00fcche.json", "scenes/\u5c71/\u7530.obj"}));
+  expectRemark(one, "scenes/a\u00a0b.json was refused: names of scenes");
+}
+
 TEST_F(Collecting, RefusesWhatIsTooLargeAndTakesWhatJustFits) {
   const Limits limits{.codeBytes = 1000, .sceneBytes = 2000, .meshBytes = 3000};
   const Collected archive = collected(MadeArchive()
