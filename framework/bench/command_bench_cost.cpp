@@ -48,14 +48,14 @@ void addTable(Report& report, const CostSweep& sweep, const std::string& key,
               {{"amount", what, 0},
                {"cpuSeconds", "CPU s", 4},
                {"error", "+- 95 %", 4},
-               {"microseconds", fmt::format("us / {}", key == "rays" ? "ray" : "pixel"), 3},
+               {"microseconds", "us / camera ray", 3},
                {"megabytes", "memory, MB", 1}},
               {}};
   table.printHead();
   for (const CostPoint& p : sweep.points) {
     const Interval cpu = meanOf(p.cpuSeconds);
     table.add({fmt::format("{:.0f}", p.amount), cpu.value, cpu.high - cpu.value,
-               1e6 * cpu.value / p.amount, meanOf(p.megabytes).value});
+               microsecondsPerRay(p), meanOf(p.megabytes).value});
   }
   report.tables.push_back(std::move(table));
 }

@@ -6,10 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pathmark::bench {
 
 namespace {
+
+double pixelsOf(const std::string& scene) {
+  const FlatCamera camera = loadScene(findScene(scene)).flat.camera;
+  return static_cast<double>(camera.width) * camera.height;
+}
 
 double megabytes(const PeakMemory& peak) { return 1e-6 * static_cast<double>(peak.sum()); }
 
@@ -47,9 +53,12 @@ class Measurement {
 Cost measureCost(const CostPlan& plan, const RenderRuns& runs, Progress& progress) {
   Cost cost;
   for (const std::uint64_t rays : plan.raysPerPixel)
-    cost.rays.points.push_back({static_cast<double>(rays), {}, {}});
-  for (const int side : plan.sides)
-    cost.pixels.points.push_back({static_cast<double>(side) * side, {}, {}});
+    cost.rays.points.push_back(
+        {static_cast<double>(rays), pixelsOf(plan.scene) * static_cast<double>(rays), {}, {}});
+  for (const int side : plan.sides) {
+    const double pixels = static_cast<double>(side) * side;
+    cost.pixels.points.push_back({pixels, pixels * static_cast<double>(plan.raysOfSides), {}, {}});
+  }
   Measurement measurement(runs, progress);
   const double start = measurement.start(plan.scene);
   for (int repeat = 0; repeat < plan.repeats; ++repeat) {
@@ -65,6 +74,11 @@ Cost measureCost(const CostPlan& plan, const RenderRuns& runs, Progress& progres
                       start, cost.pixels.points[k]);
   }
   return cost;
+}
+
+double microsecondsPerRay(const CostPoint& point) {
+  const double seconds = std::accumulate(point.cpuSeconds.begin(), point.cpuSeconds.end(), 0.0);
+  return 1e6 * seconds / static_cast<double>(point.cpuSeconds.size()) / point.cameraRays;
 }
 
 Interval costSlope(const CostSweep& sweep) {

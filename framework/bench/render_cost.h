@@ -2,6 +2,7 @@
 //
 //   CostPlan, CostPoint, CostSweep   what is varied, and what was found
 //   measureCost                      runs whole processes, in turns
+//   microsecondsPerRay               of the camera
 //   costSlope                        of log(CPU seconds) against log(rays or pixels): 1 if in
 //                                    proportion
 #pragma once
@@ -26,6 +27,7 @@ struct CostPlan {
 
 struct CostPoint {
   double amount = 0.0;             // rays per pixel, or pixels
+  double cameraRays = 0.0;         // of the whole picture
   std::vector<double> cpuSeconds;  // of rendering: those of the process, less those of its start
   std::vector<double> megabytes;   // resident at most, host and worker
 };
@@ -40,6 +42,9 @@ struct Cost {
 
 // The start is what a render of one pixel with one ray takes. Throws CourseworkError, Interrupted.
 Cost measureCost(const CostPlan& plan, const RenderRuns& runs, Progress& progress);
+
+// Of the mean run, for each camera ray.
+double microsecondsPerRay(const CostPoint& point);
 
 Interval costSlope(const CostSweep& sweep);
 

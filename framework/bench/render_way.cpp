@@ -91,10 +91,11 @@ void refuseCombinations(const Wishes& wishes, std::string_view words) {
           (wishes.has(Word::kReuse) ? 1 : 0) >
       1)
     throw UsageError(fmt::format("{}: mis, split and reuse exclude each other.", words));
-  if (wishes.has(Word::kShareDirect) && !wishes.has(Word::kSplit))
-    throw UsageError(fmt::format("{}: share-direct goes with split.", words));
-  if (wishes.has(Word::kDirectPaths) && !wishes.has(Word::kReuse))
-    throw UsageError(fmt::format("{}: direct-paths goes with reuse.", words));
+  if (wishes.has(Word::kShareDirect) && wishes.number(Word::kSplit) == 1)
+    throw UsageError(fmt::format("{}: share-direct goes with split, from split2 on.", words));
+  const bool unused = wishes.number(Word::kDirectPaths) > 1 && wishes.number(Word::kReuse) == 1;
+  if (unused || (wishes.has(Word::kDirectPaths) && !wishes.has(Word::kReuse)))
+    throw UsageError(fmt::format("{}: direct-paths goes with reuse, from reuse2 on.", words));
 }
 
 }  // namespace

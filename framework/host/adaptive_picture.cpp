@@ -77,14 +77,17 @@ double parseTargetError(const std::string& text) {
   return value;
 }
 
-int renderToTarget(const Coursework& coursework, const LoadedScene& scene,
-                   const AdaptiveRequest& request) {
+void refuseFewRays(std::uint64_t raysPerPixel) {
   constexpr auto kLeast = std::uint64_t{AdaptiveRender::kFilms} * AdaptiveRender::kPilotRays;
-  if (request.options.raysPerPixel < kLeast)
+  if (raysPerPixel < kLeast)
     throw UsageError(
         fmt::format("--target-error: {} rays per pixel are fewer than the {} that the error is "
                     "estimated with.",
-                    request.options.raysPerPixel, kLeast));
+                    raysPerPixel, kLeast));
+}
+
+int renderToTarget(const Coursework& coursework, const LoadedScene& scene,
+                   const AdaptiveRequest& request) {
   StubReport stubs;
   AdaptivePicture picture;
   {

@@ -3,6 +3,7 @@
 
 #include "host/session.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -17,6 +18,9 @@ struct AdaptiveRequest {
 
 // "1%" or "0.01"; throws UsageError.
 double parseTargetError(const std::string& text);
+
+// Throws UsageError if the error cannot be estimated with so few.
+void refuseFewRays(std::uint64_t raysPerPixel);
 
 // Returns an exit code. Throws UsageError, WorkerError and ImageError.
 int renderToTarget(const Coursework& coursework, const LoadedScene& scene,

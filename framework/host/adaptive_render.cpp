@@ -57,14 +57,23 @@ bool AdaptiveRender::makePilot(const OnStatus& onStatus) {
 
 // Each half by the other's pilot.
 void AdaptiveRender::decide() {
+  // A number that is cut to the most does not tell whether more was wanted.
+  TargetError unlimited = target_;
+  unlimited.mostRays = std::uint64_t{1} << 52;
+  const std::uint64_t most = target_.mostRays / kPilotRays * kPilotRays;
+  std::vector<bool> wantsMore(wanted_[0].size());
   for (const std::uint32_t half : {0u, 2u}) {
     const std::uint32_t other = 2 - half;
-    wanted_[half] = wanted_[half + 1] = raysForTarget(
-        {settings_.width, settings_.height, films_[other], films_[other + 1], kPilotRays}, target_);
+    std::vector<std::uint64_t> rays = raysForTarget(
+        {settings_.width, settings_.height, films_[other], films_[other + 1], kPilotRays},
+        unlimited);
+    for (std::size_t t = 0; t < rays.size(); ++t) {
+      if (rays[t] > most) wantsMore[t] = true;
+      rays[t] = std::min(rays[t], most);
+    }
+    wanted_[half] = wanted_[half + 1] = rays;
   }
-  const std::uint64_t most = target_.mostRays / kPilotRays * kPilotRays;
-  for (std::size_t t = 0; t < wanted_[0].size(); ++t)
-    if (wanted_[0][t] >= most || wanted_[2][t] >= most) ++tilesAtMost_;
+  tilesAtMost_ = static_cast<std::size_t>(std::count(wantsMore.begin(), wantsMore.end(), true));
 }
 
 // All films and tiles side by side, in steps of about a second, so that an interrupted picture is

@@ -24,10 +24,16 @@ fs::path freeName(const fs::path& file) {
   }
 }
 
+// A checkpoint with less than this share of the picture's rays lacks some that one would miss.
+constexpr double kClearlyFewer = 0.95;
+
+double raysPerPixelOf(const CheckpointIdentity& identity, const RenderState& state) {
+  return static_cast<double>(raysMade(identity.settings, state)) /
+         static_cast<double>(identity.settings.pixels());
+}
+
 std::string raysOf(const CheckpointIdentity& identity, const RenderState& state) {
-  const double rays = static_cast<double>(raysMade(identity.settings, state)) /
-                      static_cast<double>(identity.settings.pixels());
-  return fmt::format("{:.{}f}", rays, state.row > 0 ? 1 : 0);
+  return fmt::format("{:.{}f}", raysPerPixelOf(identity, state), state.row > 0 ? 1 : 0);
 }
 
 }  // namespace
@@ -106,12 +112,18 @@ std::string CheckpointKeeper::afterStep(const RenderState& state) {
   }
 }
 
-std::string CheckpointKeeper::onInterrupt(const RenderState& state) {
+std::string CheckpointKeeper::onInterrupt(const RenderState& state, double raysPerPixel) {
   if (options_.everySeconds <= 0.0 || !state.begun()) return {};
   try {
     const std::string note = write(state);
-    return fmt::format("{}To go on from {}: the same command with --resume.\n", note,
-                       file_.string());
+    // What is there from an earlier run is kept where it has more.
+    const RenderState& kept = ours_ ? state : earlier_;
+    const bool fewer = raysPerPixelOf(identity_, kept) < kClearlyFewer * raysPerPixel;
+    return fmt::format(
+        "{}To go on from {}, which has {} of {} rays per pixel{}: the same command with "
+        "--resume.\n",
+        note, file_.string(), raysOf(identity_, kept), identity_.settings.raysPerPixel,
+        fewer ? ", fewer than the picture, since it keeps whole steps only" : "");
   } catch (const std::exception& e) {
     return fmt::format("{}\n{}", e.what(), rescue(state));
   }

@@ -30,8 +30,8 @@ class CheckpointKeeper {
   // Writes if it is time. Returns a line to show, or nothing.
   std::string afterStep(const RenderState& state);
 
-  // The picture is there, and has some of its rays or all. Returns lines to show.
-  std::string onInterrupt(const RenderState& state);
+  // The picture is there, and has all of its rays or these. Returns lines to show.
+  std::string onInterrupt(const RenderState& state, double raysPerPixel);
   std::string onFinish(const RenderState& state);
 
   // The picture or its checkpoint could not be written: keeps the work wherever that is possible.

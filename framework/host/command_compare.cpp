@@ -58,9 +58,8 @@ void refuseOutput(const char* option, const fs::path& file, const CompareArgumen
     throw UsageError(fmt::format("{} {}: the name ends in {}.", option, file.string(),
                                  fmt::join(endings, " or ")));
   requirePlaceForFile(option, file);
-  std::error_code ignored;
   for (const std::string& input : {arguments.a, arguments.b})
-    if (fs::equivalent(file, input, ignored))
+    if (sameFile(file, input))
       throw UsageError(fmt::format("{} {}: this is one of the images that are compared.", option,
                                    file.string()));
 }
@@ -110,6 +109,12 @@ int compare(const CompareArguments& arguments) {
   if (!arguments.difference.empty())
     refuseOutput("--difference", arguments.difference, arguments, {".png", ".exr", ".pfm"});
   if (!arguments.zMap.empty()) refuseOutput("--z-map", arguments.zMap, arguments, {".png"});
+  if (!arguments.difference.empty() && !arguments.zMap.empty() &&
+      sameFile(arguments.difference, arguments.zMap))
+    throw UsageError(
+        fmt::format("--z-map {}: this is also the file of --difference, and each "
+                    "picture needs a file of its own.",
+                    arguments.zMap));
   CompareReport report{.names = {arguments.a, arguments.b},
                        .files = {readImage(arguments.a), readImage(arguments.b)},
                        .settings = arguments.settings,

@@ -1,12 +1,12 @@
 // pathmark render: one picture of one scene.
 #include "film/image_file.h"
 #include "host/adaptive_picture.h"
-#include "host/adaptive_render.h"
 #include "host/commands.h"
 #include "host/exit_code.h"
 #include "host/explain_render.h"
 #include "host/options.h"
 #include "host/output_check.h"
+#include "host/output_file.h"
 #include "host/render_picture.h"
 #include "host/size_option.h"
 
@@ -33,14 +33,15 @@ struct RenderArguments {
   std::string size;
   std::string sampler = "sobol";
   std::optional<std::string> paths;
-  std::string output;
+  std::string output;             // empty: by the scene and the coursework
   std::int64_t raysPerPixel = 0;  // 0: the scene's
   int maxBounces = -1;            // -1: the scene's
   int split = 1;                  // paths for each camera ray
   int reuse = 1;                  // pixels that share their paths
   int directPaths = 1;            // for the direct light of each of their camera rays
   bool explain = false, warmUp = false, mis = false, solidAngle = false, shareDirect = false;
-  std::string targetError, rayMap;
+  std::string targetError, rayMap;        // empty: none
+  std::optional<double> checkpointEvery;  // seconds
   PictureRequest picture;
 };
 
@@ -80,14 +81,36 @@ void refuseWithTargetError(const RenderArguments& arguments) {
   if (arguments.picture.checkpoints.resume || arguments.picture.checkpoints.keep)
     refuse(arguments.picture.checkpoints.resume ? "--resume" : "--keep-checkpoint",
            "such a render keeps no checkpoint, since how many rays are needed is decided anew");
+  if (arguments.checkpointEvery.value_or(0.0) > 0.0)
+    refuse("--checkpoint-every", "such a render keeps no checkpoint");
+}
+
+void refuseRayMap(const RenderArguments& arguments, std::uint64_t pixels) {
+  if (sameFile(arguments.rayMap, arguments.output))
+    throw UsageError(
+        fmt::format("--ray-map {}: this is the picture's own file.", arguments.rayMap));
+  refuseOutput(arguments.rayMap, pixels);
 }
 
 int renderToStatedError(const RenderArguments& arguments, const LoadedScene& scene) {
   const double error = parseTargetError(arguments.targetError);
   const std::uint64_t pixels = settingsFor(scene, arguments.picture.options).pixels();
-  if (!arguments.rayMap.empty()) refuseOutput(arguments.rayMap, pixels);
+  if (!arguments.rayMap.empty()) refuseRayMap(arguments, pixels);
   return renderToTarget(prepareCoursework(arguments.with), scene,
                         {arguments.output, arguments.picture.options, error, arguments.rayMap});
+}
+
+// What only some paths that are shared can have.
+void refuseWithoutSharing(const RenderArguments& arguments) {
+  if (arguments.shareDirect && arguments.split == 1)
+    throw UsageError(
+        "--share-direct: found --split 1, but only paths of one camera ray share their direct "
+        "light, from --split 2 on.");
+  if (arguments.directPaths > 1 && arguments.reuse == 1)
+    throw UsageError(fmt::format(
+        "--direct-paths {}: found --reuse 1, but only pixels that share their paths have some for "
+        "the direct light, from --reuse 2 on.",
+        arguments.directPaths));
 }
 
 void sharePaths(const RenderArguments& arguments, RenderOptions& options) {
@@ -122,17 +145,21 @@ int render(RenderArguments& arguments) {
     throw UsageError(
         "--reuse and --paths: light paths are told apart only within one path, and --reuse "
         "connects the surfaces of two.");
+  refuseWithoutSharing(arguments);
   SceneOverrides overrides;
   if (!arguments.size.empty()) overrides.size = parseSize(arguments.size);
   if (arguments.maxBounces >= 0) overrides.maxBounces = arguments.maxBounces;
   LoadedScene scene = loadScene(findScene(arguments.scene), overrides);
   if (arguments.solidAngle) scene.flat.lightSampling = LightSampling::kBySolidAngle;
   for (const std::string& note : scene.notes) fmt::print(stderr, "{}\n", note);
+  if (arguments.checkpointEvery)
+    arguments.picture.checkpoints.everySeconds = *arguments.checkpointEvery;
   RenderOptions& options = arguments.picture.options;
   options.raysPerPixel =
       static_cast<std::uint64_t>(arguments.raysPerPixel > 0      ? arguments.raysPerPixel
                                  : arguments.targetError.empty() ? scene.raysPerPixel
                                                                  : kMostRaysForTarget);
+  if (!arguments.targetError.empty()) refuseFewRays(options.raysPerPixel);
   options.sampler = findSampler(arguments.sampler);
   if (arguments.paths) options.paths = findPaths(*arguments.paths);
   if (arguments.warmUp) options.estimator = Estimator::kWarmUp;
@@ -141,13 +168,11 @@ int render(RenderArguments& arguments) {
   refuseLargeImages(scene);
   refuseUnequalReplicates(options.raysPerPixel, options.replicates);
   if (arguments.explain) {
-    fmt::print("{}", explainRender(scene, settingsFor(scene, options)));
-    if (!arguments.targetError.empty())
-      fmt::print(
-          "rays: from {} to {} per pixel, as many as each tile needs for an error of {:g} % "
-          "(two halves of the picture decide for each other)\n",
-          AdaptiveRender::kFilms * AdaptiveRender::kPilotRays, options.raysPerPixel,
-          100.0 * parseTargetError(arguments.targetError));
+    const RenderSettings settings = settingsFor(scene, options);
+    fmt::print("{}", arguments.targetError.empty()
+                         ? explainRender(scene, settings)
+                         : explainRenderToTarget(scene, settings,
+                                                 parseTargetError(arguments.targetError)));
     return kSuccess;
   }
   if (arguments.output.empty())
@@ -168,7 +193,7 @@ void addLongRenderOptions(CLI::App& command, RenderArguments& arguments) {
                          "every pixel by their differences; rays per pixel are a multiple of it"),
       2, 1024);
   takesSeconds(
-      command.add_option("--checkpoint-every", checkpoints.everySeconds,
+      command.add_option("--checkpoint-every", arguments.checkpointEvery,
                          "Write OUTPUT.checkpoint that often, and on Ctrl-C, until the picture is "
                          "complete (default: 60; 0: never)"),
       0.0, 1e6);
@@ -180,19 +205,18 @@ void addLongRenderOptions(CLI::App& command, RenderArguments& arguments) {
 }
 
 void addTargetErrorOptions(CLI::App& command, RenderArguments& arguments) {
-  command
-      .add_option(
-          "--target-error", arguments.targetError,
-          "Give each tile of 16x16 pixels as many rays as its error needs to be below this, "
-          "such as 1%: the root of its pixels' mean variance, relative to its brightness, "
-          "or to a tenth of the picture's where it is darker; --rays-per-pixel is then the "
-          "most (default: 16384)")
-      ->type_name("ERROR");
-  command
-      .add_option(
+  takesText(command.add_option(
+                "--target-error", arguments.targetError,
+                "Give each tile of 16x16 pixels as many rays as its error needs to be below this, "
+                "such as 1%: the root of its pixels' mean variance, relative to its brightness, "
+                "or to a tenth of the picture's where it is darker; --rays-per-pixel is then the "
+                "most (default: 16384)"),
+            "ERROR", "a share such as 1%");
+  takesText(
+      command.add_option(
           "--ray-map", arguments.rayMap,
-          "Also write how many rays each tile got: .png to look at, .exr or .pfm for numbers")
-      ->type_name("FILE");
+          "Also write how many rays each tile got: .png to look at, .exr or .pfm for numbers"),
+      "FILE", "the name of a file");
 }
 
 std::string isPowerOfTwo(const std::string& text) {
@@ -249,8 +273,8 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: the scene's)"),
                    1, 1000000000);
-  command->add_option("--size", arguments->size, "Width x height, such as 640x480")
-      ->type_name("WxH");
+  takesText(command->add_option("--size", arguments->size, "Width x height, such as 640x480"),
+            "WxH", "a width and a height such as 640x480");
   takesWholeNumber(
       command->add_option("--max-bounces", arguments->maxBounces,
                           "Scattering events on a path: 1 is direct light, 8 is direct light and "
@@ -263,12 +287,11 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                                        "Seed of the random numbers (default: 0)"),
                    0, std::numeric_limits<std::int64_t>::max());
   addSamplerOption(*command, arguments->sampler);
-  command
-      ->add_option(
-          "--output", arguments->output,
-          "The file to write: .png to look at; .exr, which also keeps how it was made, .pfm "
-          "or .hdr to compute with (default: SCENE_COURSEWORK.png)")
-      ->type_name("FILE");
+  takesText(command->add_option(
+                "--output", arguments->output,
+                "The file to write: .png to look at; .exr, which also keeps how it was made, .pfm "
+                "or .hdr to compute with (default: SCENE_COURSEWORK.png)"),
+            "FILE", "the name of a file");
   takesSeconds(command->add_option(
                    "--stop-after", arguments->picture.options.secondsWithoutAnswer,
                    "Stop coursework that gives no answer for this many seconds (default: 10)"),

@@ -1,5 +1,6 @@
 #include "host/explain_render.h"
 
+#include "host/adaptive_render.h"
 #include "light_paths/explain.h"
 #include "render/explain_plan.h"
 #include "render/pixel_block.h"
@@ -51,6 +52,22 @@ PlanLine replicates(const RenderSettings& settings) {
           "their differences tell the variance of every pixel"};
 }
 
+// Of a picture with a stated error.
+std::vector<PlanLine> adaptiveLines(const RenderSettings& settings, double relativeError) {
+  constexpr std::uint32_t kFilms = AdaptiveRender::kFilms, kPass = AdaptiveRender::kPilotRays;
+  const std::uint64_t passes = settings.raysPerPixel / kFilms / kPass;
+  return {{"rays",
+           fmt::format("from {} to {} per pixel, as many as each tile needs for an error of {:g} %",
+                       kFilms * kPass, kFilms * kPass * passes, 100.0 * relativeError),
+           "two halves of the picture decide for each other"},
+          {"points",
+           fmt::format("{}, for each of {} films, in {} of {}", nameOf(settings.sampler), kFilms,
+                       passes == 1 ? "1 pass" : fmt::format("1 to {} passes", passes), kPass),
+           fmt::format("seed {}", settings.seed)},
+          {"replicates", fmt::format("{}, the films", kFilms),
+           "their differences tell the variance of every pixel"}};
+}
+
 PlanLine threads(const RenderSettings& settings) {
   const auto across = [](int pixels) { return (pixels + kTileSize - 1) / kTileSize; };
   const int tiles = across(settings.width) * across(settings.height);
@@ -87,9 +104,9 @@ std::vector<PlanLine> warmUpLines(const FlatSceneView& scene) {
        "part 0 knows triangles only"}};
 }
 
-}  // namespace
-
-std::string explainRender(const LoadedScene& scene, const RenderSettings& settings) {
+// `rays`: the lines that tell how many there are, and with which points.
+std::string explain(const LoadedScene& scene, const RenderSettings& settings,
+                    const std::vector<PlanLine>& rays) {
   const FlatSceneView view = viewOf(scene.flat);
   std::vector<PlanLine> lines = settings.estimator == Estimator::kWarmUp
                                     ? warmUpLines(view)
@@ -99,8 +116,8 @@ std::string explainRender(const LoadedScene& scene, const RenderSettings& settin
       lines.push_back(std::move(line));
   if (settings.estimator == Estimator::kSplit) lines.push_back(pathsOfRays(settings));
   if (settings.estimator == Estimator::kReuse) lines.push_back(pathsOfBlocks(settings.sharing));
-  lines.insert(lines.end(),
-               {points(settings), replicates(settings), threads(settings), coordinates(scene)});
+  lines.insert(lines.end(), rays.begin(), rays.end());
+  lines.insert(lines.end(), {threads(settings), coordinates(scene)});
   std::size_t width = 0;
   for (const PlanLine& line : lines) width = std::max(width, line.what.size());
   std::string text;
@@ -110,6 +127,17 @@ std::string explainRender(const LoadedScene& scene, const RenderSettings& settin
     text += line.why.empty() ? "\n" : fmt::format(" ({})\n", line.why);
   }
   return text;
+}
+
+}  // namespace
+
+std::string explainRender(const LoadedScene& scene, const RenderSettings& settings) {
+  return explain(scene, settings, {points(settings), replicates(settings)});
+}
+
+std::string explainRenderToTarget(const LoadedScene& scene, const RenderSettings& settings,
+                                  double relativeError) {
+  return explain(scene, settings, adaptiveLines(settings, relativeError));
 }
 
 }  // namespace pathmark

@@ -36,6 +36,15 @@ inline void takesSeconds(CLI::Option* option, double low, double high) {
   option->check(CLI::Validator(check, ""))->type_name("SECONDS");
 }
 
+// Accepts any text but an empty one, as a shell makes it of a variable that is not set: it would be
+// taken for an option that is not there.
+inline void takesText(CLI::Option* option, const char* typeName, const std::string& allowed) {
+  const auto check = [allowed](const std::string& text) -> std::string {
+    return text.empty() ? "found nothing, allowed is " + allowed : "";
+  };
+  option->check(CLI::Validator(check, ""))->type_name(typeName);
+}
+
 // --sampler NAME, for findSampler.
 inline void addSamplerOption(CLI::App& command, std::string& name) {
   command

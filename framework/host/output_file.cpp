@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 namespace pathmark {
 
 void requirePlaceForFile(std::string_view option, const std::filesystem::path& file) {
@@ -15,6 +17,16 @@ void requirePlaceForFile(std::string_view option, const std::filesystem::path& f
   if (!std::filesystem::is_directory(folder))
     throw UsageError(
         fmt::format("{} {}: there is no folder {}.", option, file.string(), folder.string()));
+}
+
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(a, b, ignored)) return true;
+  // Of a relative name whose first part is not there yet, weakly_canonical would stay relative.
+  const auto whole = [&](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, ignored), ignored);
+  };
+  return whole(a) == whole(b);
 }
 
 }  // namespace pathmark

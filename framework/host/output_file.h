@@ -9,4 +9,7 @@ namespace pathmark {
 // Throws UsageError with a sentence if `file`, the value of `option`, is a folder or lies in none.
 void requirePlaceForFile(std::string_view option, const std::filesystem::path& file);
 
+// Whether both names are of one file, which need not be there yet.
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
 }  // namespace pathmark

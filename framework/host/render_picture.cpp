@@ -81,7 +81,7 @@ int conclude(const RenderOutcome& outcome, const RenderOptions& options, Checkpo
   if (!rendered.complete) {
     fmt::print(stderr, "Interrupted: the picture has {} of {} rays per pixel.\n",
                raysMade(rendered), options.raysPerPixel);
-    fmt::print(stderr, "{}", keeper.onInterrupt(outcome.state));
+    fmt::print(stderr, "{}", keeper.onInterrupt(outcome.state, rendered.raysPerPixel));
   } else {
     fmt::print(stderr, "{}", keeper.onFinish(outcome.state));
   }

@@ -6,6 +6,7 @@
 #include "host/display_path.h"
 #include "host/interrupt.h"
 #include "host/progress_bar.h"
+#include "host/shell_word.h"
 #include "light_paths/error_text.h"
 #include "light_paths/language.h"
 #include "scene/spelling.h"
@@ -52,6 +53,15 @@ std::string courseworkName(const std::string& with) {
   if (with == "student" || with == "solutions") return with;
   const fs::path normal = fs::absolute(with).lexically_normal();
   return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
+}
+
+std::string withOption(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::equivalent(folder, kProjectFolder / "student", ignored)) return {};
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  const fs::path relative = whole.lexically_proximate(kProjectFolder);
+  const bool outside = relative.is_absolute() || *relative.begin() == "..";
+  return " --with " + shellWord((outside ? whole : relative).string());
 }
 
 Coursework prepareCoursework(const std::string& with) {

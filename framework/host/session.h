@@ -45,6 +45,10 @@ std::string solvedCoursework();
 // How it is called in messages and file names.
 std::string courseworkName(const std::string& with);
 
+// " --with FOLDER" as a shell takes it, for a command that a person calls in the project's folder
+// for this coursework; nothing for student/, which needs none.
+std::string withOption(const std::filesystem::path& folder);
+
 // Compiles and links; prints the compiler's warnings to standard error. Throws UsageError and
 // CourseworkError.
 Coursework prepareCoursework(const std::string& with);

@@ -1,6 +1,7 @@
 #include "host/size_option.h"
 
 #include "host/session.h"
+#include "scene/validate.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,11 @@ std::array<int, 2> parseSize(const std::string& text) {
   if (!separated || height.ec != std::errc{} || height.ptr != end)
     throw UsageError(
         fmt::format("--size {}: the size is width x height in pixels, such as 640x480.", text));
+  for (const int side : size)
+    if (side < 1 || side > kLargestSide)
+      throw UsageError(
+          fmt::format("--size {}: found a side of {}, but each is from 1 to {} pixels.", text, side,
+                      kLargestSide));
   return size;
 }
 

@@ -6,7 +6,7 @@
 
 namespace pathmark {
 
-// Width and height; what they may be is the scene loader's business. Throws UsageError.
+// Width and height that a scene may have. Throws UsageError.
 std::array<int, 2> parseSize(const std::string& text);
 
 }  // namespace pathmark

@@ -17,9 +17,14 @@ Face makeFace(std::vector<glm::dvec3> vertices, std::vector<TriangleIndices> tri
           length > 0.0 ? normal / length : glm::dvec3(0.0)};
 }
 
-void requireArea(const ShapeDescription& shape, const Place& place) {
+// Whether the area is that of a point or a line.
+bool isFlat(const ShapeDescription& shape, const glm::dvec3& vector) {
   const double size = diameter(shape.vertices);
-  if (glm::length(newellVector(shape.vertices)) <= kFlatArea * size * size) {
+  return glm::length(vector) <= kFlatArea * size * size;
+}
+
+void requireArea(const ShapeDescription& shape, const glm::dvec3& vector, const Place& place) {
+  if (isFlat(shape, vector)) {
     place.refuse("vertices that enclose no area",
                  "a rectangle or polygon must not be a point or a line");
   }
@@ -30,13 +35,16 @@ Face makeRectangle(const ShapeDescription& shape, const Place& place) {
     place.refuse("four vertices that are no parallelogram",
                  "the fourth vertex of a rectangle must be v0 + v2 - v1; a \"quad\" may have any");
   }
-  requireArea(shape, place);
+  requireArea(shape, newellVector(shape.vertices), place);
   return makeFace(shape.vertices, {{0, 1, 2}, {0, 2, 3}});
 }
 
 Face makePolygon(const ShapeDescription& shape, const Place& place) {
-  requireArea(shape, place);
-  const glm::dvec3 normal = glm::normalize(newellVector(shape.vertices));
+  const glm::dvec3 area = newellVector(shape.vertices);
+  // The areas of a polygon that crosses itself may cancel.
+  const glm::dvec3 vector = isFlat(shape, area) ? acrossVector(shape.vertices) : area;
+  requireArea(shape, vector, place);
+  const glm::dvec3 normal = glm::normalize(vector);
   const double distance = distanceFromPlane(shape.vertices, normal);
   if (distance > kShapeTolerance * diameter(shape.vertices)) {
     place.refuse("vertices that do not lie in one plane",
@@ -49,6 +57,7 @@ Face makePolygon(const ShapeDescription& shape, const Place& place) {
     place.refuse(fmt::format("that edge {}-{} meets edge {}-{}", i, (i + 1) % n, j, (j + 1) % n),
                  "a polygon must not touch or cross itself");
   }
+  requireArea(shape, area, place);
   auto triangles = triangulate(outline);
   if (!triangles) {
     place.refuse("a polygon that almost touches itself",

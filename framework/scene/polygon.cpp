@@ -33,6 +33,17 @@ glm::dvec3 newellVector(std::span<const glm::dvec3> vertices) {
   return sum;
 }
 
+glm::dvec3 acrossVector(std::span<const glm::dvec3> vertices) {
+  glm::dvec3 longest(0.0), across(0.0);
+  for (const glm::dvec3& v : vertices)
+    if (glm::length(v - vertices[0]) > glm::length(longest)) longest = v - vertices[0];
+  for (const glm::dvec3& v : vertices) {
+    const glm::dvec3 vector = glm::cross(longest, v - vertices[0]);
+    if (glm::length(vector) > glm::length(across)) across = vector;
+  }
+  return across;
+}
+
 double diameter(std::span<const glm::dvec3> vertices) {
   glm::dvec3 low = vertices[0], high = vertices[0];
   for (const glm::dvec3& v : vertices) {

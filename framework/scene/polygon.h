@@ -1,6 +1,7 @@
 // Polygons in double: their normal, and what makes them planar and simple.
 //
 //   newellVector          the normal of a polygon, as long as twice its area
+//   acrossVector          the same of three of its vertices, where areas may cancel
 //   diameter              the longest side of its bounding box
 //   distanceFromPlane     how far it is from being planar
 //   isParallelogram       whether its four vertices make one
@@ -25,6 +26,10 @@ inline constexpr double kFlatArea = 1e-12;
 // too, and the best fit for others. Points to the side from which the vertices run
 // counter-clockwise.
 glm::dvec3 newellVector(std::span<const glm::dvec3> vertices);
+
+// Across the plane of the first vertex, the one farthest from it and a third: the longest such
+// vector. Of vertices on a line it is 0, but not of a polygon whose signed areas cancel.
+glm::dvec3 acrossVector(std::span<const glm::dvec3> vertices);
 
 double diameter(std::span<const glm::dvec3> vertices);
 

@@ -8,7 +8,6 @@
 namespace pathmark {
 namespace {
 
-constexpr double kLargestSide = 16384.0;
 constexpr double kMostBounces = 1000.0;
 constexpr double kMostRays = 1e9;
 constexpr double kLargestExponent = 1e6;

@@ -17,6 +17,9 @@ namespace pathmark {
 // three still fit a double.
 inline constexpr double kLargestCoordinate = 1e100;
 
+// Of an image, in pixels.
+inline constexpr int kLargestSide = 16384;
+
 void validate(const SceneDescription& scene, const SceneSource& source);
 
 // Puts the overrides into the scene, under the same limits.

@@ -1,12 +1,12 @@
 #include "report/submission_html.h"
 
+#include "host/shell_word.h"
 #include "picture_slider_js.h"
 #include "report/clean_text.h"
 #include "report/page_html.h"
 #include "report/part_html.h"
 #include "report/plots.h"
 #include "report/record_words.h"
-#include "report/shell_word.h"
 
 #include <algorithm>
 

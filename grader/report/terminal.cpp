@@ -2,8 +2,8 @@
 
 #include "checks/all_checks.h"
 #include "host/display_path.h"
+#include "host/shell_word.h"
 #include "host/where_to_look.h"
-#include "report/shell_word.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 #include "preview/progress/progress_panel.h"
 
+#include "host/session.h"
 #include "preview/marks.h"
 #include "preview/panel_text.h"
 #include "preview/row_text.h"
@@ -59,6 +60,8 @@ void ProgressPanel::update(const Frame& frame) {
     firstOfFolder_ = frame.coursework->number;
   }
   coursework_ = frame.coursework;
+  checkImages_ = "./pathmark check images";
+  if (coursework_->build) checkImages_ += withOption(coursework_->build->folder);
   if (frame.checks && frame.checks != checks_ && frame.checks->build >= firstOfFolder_)
     known_ = withOlder(*frame.checks, known_ ? &*known_ : nullptr);
   checks_ = frame.checks;
@@ -103,8 +106,8 @@ void ProgressPanel::drawNext() {
   if (!progress_.next.empty()) {
     drawWrapped("Next: " + progress_.next);
   } else if (progress_.count(Outcome::kPass) == progress_.functions()) {
-    drawWrapped("Every function is right by itself. Now the pictures: ./pathmark check images");
-    if (ImGui::SmallButton("copy command")) ImGui::SetClipboardText("./pathmark check images");
+    drawWrapped("Every function is right by itself. Now the pictures: " + checkImages_);
+    if (ImGui::SmallButton("copy command")) ImGui::SetClipboardText(checkImages_.c_str());
   }
   if (!progress_.nextFunction) return;
   const CourseworkFunction next = *progress_.nextFunction;

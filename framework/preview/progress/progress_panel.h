@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace pathmark::preview {
 
@@ -39,6 +40,7 @@ class ProgressPanel {
   std::optional<CheckReport> known_;  // of checks_, and of older ones
   std::uint64_t firstOfFolder_ = 0;   // CourseworkState::number; builds before are of another one
   Progress progress_;
+  std::string checkImages_;  // the command that comes after the functions
   std::optional<CourseworkFunction> chosen_;
   bool scrollToChosen_ = false;
   std::array<std::optional<bool>, 10> opened_;  // by part: as the user has it, if they said

@@ -186,6 +186,14 @@ TEST_F(AdaptivePictures, StopAtTheMostRaysAndSaySo) {
   EXPECT_EQ(picture.tilesAtMost, 6u) << "the right half";
 }
 
+// The pilot is the most that is allowed here, and 100 % is reached with it.
+TEST_F(AdaptivePictures, TilesThatHaveWhatTheyNeedDoNotCountAsTooFew) {
+  const AdaptivePicture picture = render(1.0, 2, 64);
+  EXPECT_EQ(picture.raysPerPixel[kWidth - 1], 64.0f);
+  EXPECT_LT(picture.errors.worst(), 1.0);
+  EXPECT_EQ(picture.tilesAtMost, 0u);
+}
+
 TEST_F(AdaptivePictures, CanBeEndedEarly) {
   const auto worker = coursework_.start();
   worker->loadScene(emptyScene(kWidth, kHeight));

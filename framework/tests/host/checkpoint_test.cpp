@@ -1,6 +1,7 @@
 // Checkpoints: a render goes on from one to the same bits, and nothing else is taken for one.
 #include "host/checkpoint.h"
 
+#include "host/checkpoint_keeper.h"
 #include "host/content_hash.h"
 #include "host/render_loop.h"
 #include "support/background_program.h"
@@ -88,6 +89,19 @@ TEST_F(CheckpointTest, HoldsEveryBit) {
   EXPECT_EQ(read.state.seconds, 6.5);
   EXPECT_EQ(read.state.invalid.nan, 3u);
   EXPECT_EQ(read.state.invalid.firstPixel, 4u);
+}
+
+// 320 of 512 rays per pixel are in whole steps.
+TEST_F(CheckpointTest, AnInterruptSaysWhatTheCheckpointHolds) {
+  const std::filesystem::path picture = folder_ / "a.exr";
+  const std::string start = "To go on from " + picture.string() + ".checkpoint, which has 320 of ";
+  CheckpointKeeper keeper(picture, identityOf(settings_), {});
+  EXPECT_EQ(keeper.onInterrupt(state_, 321.0),
+            start + "512 rays per pixel: the same command with --resume.\n");
+  EXPECT_EQ(keeper.onInterrupt(state_, 383.5),
+            start +
+                "512 rays per pixel, fewer than the picture, since it keeps whole steps only: "
+                "the same command with --resume.\n");
 }
 
 TEST_F(CheckpointTest, EqualContentIsEqualBytes) {

@@ -1,5 +1,7 @@
 // From a folder of files to a worker: what is compiled, what is kept, what is refused.
 #include "host/coursework_builder.h"
+
+#include "host/session.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
@@ -135,6 +137,15 @@ TEST(CourseworkBuilder, FoldersWithAwkwardNamesWork) {
     std::filesystem::copy_file(coursework.folder() / part.file, awkward / part.file);
   const CourseworkBuild build = buildCoursework(awkward);
   EXPECT_FALSE(build.worker.empty()) << build.failure();
+}
+
+TEST(CourseworkOption, NamesTheFolderForACommandInTheProjectsFolder) {
+  const std::filesystem::path root = PATHMARK_ROOT;
+  EXPECT_EQ(withOption(root / "student"), "");
+  EXPECT_EQ(withOption(root / "solutions"), " --with solutions");
+  EXPECT_EQ(withOption(root / "mine/part 2"), " --with 'mine/part 2'");
+  EXPECT_EQ(withOption("/tmp/student"), " --with /tmp/student");
+  EXPECT_EQ(withOption("/tmp/Ana's"), " --with '/tmp/Ana'\\''s'");
 }
 
 }  // namespace

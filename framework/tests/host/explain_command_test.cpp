@@ -63,6 +63,7 @@ TEST_F(Explain, SplitPathsSayWhatTheyShare) {
              "64 paths each (they share the first surface and its direct light)");
   expectSays(explain("cornell_box", {"--split", "65"}), 2, "--split");
   expectSays(explain("cornell_box", {"--share-direct"}), 2, "--split");
+  expectSays(explain("cornell_box", {"--split", "1", "--share-direct"}), 2, "from --split 2 on");
   expectSays(explain("cornell_box", {"--split", "4", "--mis"}), 2, "--mis");
   expectSays(explain("cornell_box", {"--split", "4", "--warm-up"}), 2, "--warm-up");
 }
@@ -78,6 +79,8 @@ TEST_F(Explain, PathsThatPixelsShareSayWhichPixels) {
   expectSays(explain("cornell_box", {"--reuse", "128"}), 2, "64");
   expectSays(explain("cornell_box", {"--direct-paths", "2"}), 2, "--reuse");
   expectSays(explain("cornell_box", {"--reuse", "4", "--direct-paths", "65"}), 2, "64");
+  expectSays(explain("cornell_box", {"--reuse", "1", "--direct-paths", "8"}), 2,
+             "from --reuse 2 on");
   for (const std::string other : {"--mis", "--warm-up"})
     expectSays(explain("cornell_box", {"--reuse", "4", other}), 2, other);
   expectSays(explain("cornell_box", {"--reuse", "4", "--split", "4"}), 2, "--split");

@@ -93,6 +93,16 @@ class LongRender : public testing::Test {
   }
   std::string log() const { return textOf(gate_ / "log"); }
 
+  // Such as "64 of 640 rays per pixel", of the checkpoint that an interrupt has left.
+  std::string raysHeld() const {
+    const std::string text = log(), start = "To go on from a.pfm.checkpoint, which has ",
+                      unit = " rays per pixel";
+    const std::size_t at = text.find(start);
+    if (at == text.npos) return {};
+    const std::size_t first = at + start.size();
+    return text.substr(first, text.find(unit, first) + unit.size() - first);
+  }
+
   // Waits until so many checkpoints have been written. Each is a new file.
   bool awaitCheckpoints(int count, const std::string& name = "a.pfm.checkpoint") const {
     fs::file_time_type last{};
@@ -127,7 +137,7 @@ class LongRender : public testing::Test {
 };
 
 TEST_F(LongRender, InterruptedAtAnyMomentItGoesOnToTheSameBits) {
-  std::string resume = "--seed=0";
+  std::string resume = "--seed=0", held;
   for (const int signal : {SIGINT, SIGTERM, SIGINT}) {
     BackgroundProgram program = start({resume});
     ASSERT_TRUE(awaitCheckpoints(resume == "--resume" ? 2 : 1)) << log();
@@ -135,7 +145,9 @@ TEST_F(LongRender, InterruptedAtAnyMomentItGoesOnToTheSameBits) {
     const int code = program.wait();
     EXPECT_TRUE(code == 130 || code == 1) << log();  // 1: with a NaN so far
     expectSays(log(), "Interrupted: the picture has ");
-    expectSays(log(), "To go on from a.pfm.checkpoint: the same command with --resume.");
+    if (resume == "--resume") expectSays(log(), "Going on from a.pfm.checkpoint, with " + held);
+    held = raysHeld();
+    ASSERT_NE(held, "") << log();
     EXPECT_EQ(files(), (std::set<std::string>{"a.pfm", "a.pfm.checkpoint", "reference.pfm"}));
     EXPECT_NE(readPfm(folder_ / "a.pfm").rgb, reference_);
     resume = "--resume";

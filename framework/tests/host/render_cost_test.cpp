@@ -13,7 +13,7 @@ namespace {
 CostSweep growing(double power) {
   CostSweep sweep;
   for (const double amount : {1.0, 4.0, 16.0}) {
-    CostPoint point{amount, {}, {}};
+    CostPoint point{amount, 1000.0 * amount, {}, {}};
     for (const double off : {-0.02, -0.01, 0.0, 0.01, 0.02})
       point.cpuSeconds.push_back(0.025 * std::pow(amount, power) * (1.0 + off));
     sweep.points.push_back(std::move(point));
@@ -28,6 +28,12 @@ TEST(RenderCost, GrowsWithThePowerOfTheTimes) {
     EXPECT_LE(found.low, found.value);
     EXPECT_GE(found.high, found.value);
   }
+}
+
+// A picture of 1,000 pixels: 25 us for each of its rays, however many of them a pixel has.
+TEST(RenderCost, OfARayIsThatOfThePictureOverAllOfItsCameraRays) {
+  for (const CostPoint& point : growing(1.0).points)
+    EXPECT_NEAR(microsecondsPerRay(point), 25.0, 1e-9) << point.amount;
 }
 
 TEST(RenderCost, HasAnIntervalAsWideAsTheRunsAreApart) {

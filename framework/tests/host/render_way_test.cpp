@@ -50,7 +50,8 @@ TEST(RenderWay, RefusesWhatRenderDoesNotTake) {
   for (const char* text :
        {"solutions+reuse3", "solutions+reuse128", "solutions+split0", "solutions+split65",
         "solutions+split99999999999", "solutions+mis+split4", "solutions+reuse4+split4",
-        "solutions+share-direct", "solutions+direct-paths4", "solutions+split4+split8"}) {
+        "solutions+share-direct", "solutions+direct-paths4", "solutions+split4+split8",
+        "solutions+split1+share-direct", "solutions+reuse1+direct-paths8"}) {
     std::string_view rest = text;
     EXPECT_THROW(takeWay(rest), UsageError) << text;
   }

@@ -53,7 +53,34 @@ TEST_F(TargetError, WhatDoesNotGoTogetherIsASentence) {
   expectSays(render({"--target-error", "1%", "--keep-checkpoint"}), 2, "keeps no checkpoint");
   expectSays(render({"--target-error", "1%", "--rays-per-pixel", "32"}), 2, "fewer than the 64");
   expectSays(render({"--ray-map", "rays.png"}), 2, "for pictures with a --target-error");
+  expectSays(render({"--target-error", "20%", "--checkpoint-every", "1"}), 2,
+             "keeps no checkpoint");
+  expectSays(render({"--target-error", ""}), 2,
+             "--target-error: found nothing, allowed is a share");
+  expectSays(render({"--output", ""}), 2, "--output: found nothing, allowed is the name of a file");
+  expectSays(render({"--size", ""}), 2, "--size: found nothing");
+  expectSays(render({"--target-error", "20%", "--ray-map", ""}), 2, "--ray-map: found nothing");
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+TEST_F(TargetError, TheMapOfRaysIsNotWrittenOverThePicture) {
+  const std::string absolute = (folder_ / "picture.png").string();
+  for (const std::string& map :
+       {std::string("picture.png"), std::string("./picture.png"), absolute})
+    expectSays(render({"--target-error", "20%", "--output", "picture.png", "--ray-map", map}), 2,
+               "--ray-map " + map + ": this is the picture's own file.");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+TEST_F(TargetError, ExplainTellsOfTheFilmsAndTheirPasses) {
+  const ProcessResult result =
+      render({"--target-error", "4%", "--rays-per-pixel", "1000", "--explain"});
+  expectSays(result, 0, "from 64 to 960 per pixel, as many as each tile needs for an error of 4 %");
+  expectSays(result, 0, "sobol, for each of 4 films, in 1 to 15 passes of 16 (seed 0)");
+  expectSays(result, 0, "4, the films (their differences tell");
+  EXPECT_EQ(result.output.find("without --replicates"), std::string::npos) << result.output;
+  expectSays(render({"--target-error", "4%", "--rays-per-pixel", "32", "--explain"}), 2,
+             "fewer than the 64");
 }
 
 }  // namespace

@@ -230,6 +230,9 @@ TEST(PreviewCommand, RefusesWhatItCannotDo) {
   expectSays(preview({"no_such_scene"}), 2, "There is no scene no_such_scene");
   expectSays(preview({"--tab", "nothing"}), 2, "it is one of progress, samples");
   expectSays(preview({"--screenshot", "a.png"}), 2, "--after-rays");
+  expectSays(preview({"--after-rays", "1", "--screenshot", "a.jpg"}), 2,
+             "--screenshot a.jpg: the name ends in .png.");
+  expectSays(preview({"--part", "7"}), 2, "allowed is 0 to 6, 8 or 9");
   expectSays(preview({"--size", "large"}), 2, "such as 1280x800");
   expectSays(preview({"--help"}), 0, "Examples:");
 }

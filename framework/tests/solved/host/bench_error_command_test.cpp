@@ -168,6 +168,10 @@ TEST_F(BenchErrorCommand, CostHasItsTablesAndPlotsAndMemoryIsFlat) {
     const json& rows = report.at("tables").at(key);
     ASSERT_EQ(rows.size(), 3u) << key;
     EXPECT_EQ(rows.at(2).at("amount"), key == std::string("rays") ? "16" : "16384");
+    const double cameraRays = key == std::string("rays") ? 256.0 * 256.0 * 16.0 : 16384.0 * 4.0;
+    EXPECT_NEAR(rows.at(2).at("microseconds").get<double>() * cameraRays,
+                1e6 * rows.at(2).at("cpuSeconds").get<double>(), 1.0)
+        << key;
   }
   for (const char* key : {"raysExponent", "pixelsExponent"})
     EXPECT_TRUE(report.at("figures").contains(key)) << key;

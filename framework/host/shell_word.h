@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace pathmark::report {
+namespace pathmark {
 
 inline std::string shellWord(std::string_view word) {
   constexpr std::string_view kPlain =
@@ -16,4 +16,4 @@ inline std::string shellWord(std::string_view word) {
   return result + "'";
 }
 
-}  // namespace pathmark::report
+}  // namespace pathmark
