@@ -10,8 +10,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 namespace pathmark {
 
@@ -20,6 +23,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kScenes[] = {"ucl_rectangle", "cornell_box"};
+
+// Without those of bonus parts, as status counts them.
+std::ptrdiff_t countAsked(std::span<const FunctionContract> functions) {
+  return std::count_if(functions.begin(), functions.end(),
+                       [](const FunctionContract& f) { return !isBonus(f); });
+}
 
 int renderAndPrint(const Coursework& coursework, const std::string& name, std::uint64_t rays,
                    const fs::path& folder) {
@@ -33,7 +42,7 @@ int renderAndPrint(const Coursework& coursework, const std::string& name, std::u
   fmt::print("{:<14} {:<10} {:>14} {:>8.2f} {:>8.1f}   {}\n", name, coursework.name,
              rendered.raysPerPixel, rendered.seconds,
              static_cast<double>(rendered.raysTraced) / rendered.seconds * 1e-6,
-             fmt::format("{} of {}", outcome.stubs.unwritten.size(), contract().size()));
+             fmt::format("{} of {}", countAsked(outcome.stubs.unwritten), countAsked(contract())));
   std::fflush(stdout);
   if (const std::string sentence = invalidSentence(rendered, Estimator::kPath); !sentence.empty()) {
     fmt::print(stderr, "{}\n", sentence);

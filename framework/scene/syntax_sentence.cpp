@@ -168,7 +168,7 @@ std::string wantedIn(std::string_view message) {
   const std::size_t mark = message.rfind(kMark);
   if (mark == std::string_view::npos) return {};
   // The message quotes the file, which may hold the mark as well.
-  const std::string wanted = shown(message.substr(mark + kMark.size()), kLongestQuote);
+  std::string wanted = shown(message.substr(mark + kMark.size()), kLongestQuote);
   if (wanted == "'}'" || wanted == "']'") return "a comma or " + wanted;
   if (wanted == "string literal") return "a text in \"quotes\"";
   if (wanted == "'[', '{', or a literal") return "a value";

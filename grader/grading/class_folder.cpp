@@ -142,7 +142,7 @@ std::string ClassFolder::picture(const std::string& name, const std::string& fil
 }
 
 fs::path ClassFolder::scratch(const std::string& name) const {
-  const fs::path folder = folder_ / ".work" / name;
+  fs::path folder = folder_ / ".work" / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;

@@ -203,7 +203,7 @@ std::string Sorter::sceneTarget(const Candidate& candidate, const std::set<Path>
     if (candidate.path.size() <= folder.size() ||
         !std::equal(folder.begin(), folder.end(), candidate.path.begin()))
       continue;
-    const std::string name = sceneName(candidate.path, folder.size());
+    std::string name = sceneName(candidate.path, folder.size());
     if (!name.empty()) return name;
   }
   return {};
