@@ -53,11 +53,7 @@ std::string checkFraction(const std::string& text) {
 // What can be known before the work begins must not cost it. An input is not to be overwritten.
 void refuseOutput(const char* option, const fs::path& file, const CompareArguments& arguments,
                   std::initializer_list<const char*> endings) {
-  const std::string ending = imageEnding(file);
-  if (std::none_of(endings.begin(), endings.end(), [&](const char* e) { return ending == e; }))
-    throw UsageError(fmt::format("{} {}: the name ends in {}.", option, file.string(),
-                                 fmt::join(endings, " or ")));
-  requirePlaceForFile(option, file);
+  requireOutput(option, file, endings);
   for (const std::string& input : {arguments.a, arguments.b})
     if (sameFile(file, input))
       throw UsageError(fmt::format("{} {}: this is one of the images that are compared.", option,

@@ -1,9 +1,12 @@
 #include "host/output_file.h"
 
+#include "film/image_file.h"
 #include "host/session.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <system_error>
 
 namespace pathmark {
@@ -17,6 +20,15 @@ void requirePlaceForFile(std::string_view option, const std::filesystem::path& f
   if (!std::filesystem::is_directory(folder))
     throw UsageError(
         fmt::format("{} {}: there is no folder {}.", option, file.string(), folder.string()));
+}
+
+void requireOutput(std::string_view option, const std::filesystem::path& file,
+                   std::initializer_list<const char*> endings) {
+  const std::string ending = imageEnding(file);
+  if (std::none_of(endings.begin(), endings.end(), [&](const char* e) { return ending == e; }))
+    throw UsageError(fmt::format("{} {}: the name ends in {}.", option, file.string(),
+                                 fmt::join(endings, " or ")));
+  requirePlaceForFile(option, file);
 }
 
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {

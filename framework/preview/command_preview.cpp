@@ -1,5 +1,4 @@
 // pathmark preview: the window.
-#include "film/image_file.h"
 #include "host/commands.h"
 #include "host/exit_code.h"
 #include "host/options.h"
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -73,15 +71,6 @@ std::filesystem::path sceneFile(const std::string& scene, const preview::Remembe
   return findScene("cornell_box");
 }
 
-void refuseOutput(const char* option, const std::filesystem::path& file,
-                  std::initializer_list<const char*> endings) {
-  const std::string ending = imageEnding(file);
-  if (std::none_of(endings.begin(), endings.end(), [&](const char* e) { return ending == e; }))
-    throw UsageError(fmt::format("{} {}: the name ends in {}.", option, file.string(),
-                                 fmt::join(endings, " or ")));
-  requirePlaceForFile(option, file);
-}
-
 void readArguments(PreviewArguments& arguments, const preview::Remembered& last) {
   preview::AppOptions& app = arguments.app;
   app.request.scene = sceneFile(arguments.scene, last);
@@ -99,9 +88,9 @@ void readArguments(PreviewArguments& arguments, const preview::Remembered& last)
   if (app.scripted() && arguments.rays == 0)
     throw UsageError(
         "--screenshot and --picture need --after-rays N, the rays per pixel to wait for.");
-  if (!app.screenshot.empty()) refuseOutput("--screenshot", app.screenshot, {".png"});
+  if (!app.screenshot.empty()) requireOutput("--screenshot", app.screenshot, {".png"});
   if (!app.picture.empty())
-    refuseOutput("--picture", app.picture, {".png", ".exr", ".pfm", ".hdr"});
+    requireOutput("--picture", app.picture, {".png", ".exr", ".pfm", ".hdr"});
 }
 
 // A script shows the same whatever somebody has looked at before, and leaves no trace.

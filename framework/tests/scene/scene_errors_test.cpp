@@ -1,5 +1,5 @@
 // Every malformed scene is refused with one sentence that says where and what.
-#include "scene_files.h"
+#include "scene_error_text.h"
 
 #include <algorithm>
 #include <string>
@@ -8,28 +8,7 @@
 namespace pathmark {
 namespace {
 
-// A scene in which one piece of text is replaced by another.
-constexpr std::string_view kScene = R"({
-  "caption": "A test",
-  "camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": 45},
-  "size": [64, 48],
-  "maxBounces": 4,
-  "raysPerPixel": 16,
-  "exposure": 2,
-  "materials": {
-    "white": {"type": "lambertian", "Kd": [0.7, 0.7, 0.7]},
-    "shiny": {"type": "phong", "Kd": [0.2, 0.2, 0.2], "Ks": [0.5, 0.5, 0.5], "exponent": 10}
-  },
-  "shapes": [
-    {"type": "triangle", "material": "white", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]},
-    {"type": "rectangle", "material": "white", "emission": [1, 1, 1], "frontOnly": true,
-     "vertices": [[0, 2, 0], [1, 2, 0], [1, 2, 1], [0, 2, 1]]},
-    {"type": "polygon", "material": "shiny",
-     "vertices": [[0, 0, 1], [3, 0, 1], [3, 3, 1], [1, 1, 1], [0, 3, 1]]},
-    {"type": "sphere", "material": "shiny", "centre": [0, 0, -3], "radius": 1.5, "inward": false}
-  ]
-})";
-
+// Of kScene, with one piece of its text replaced by another.
 struct Case {
   const char* name;
   std::string_view found;     // this piece of kScene ...
@@ -39,23 +18,6 @@ struct Case {
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-
-std::string errorOf(std::string_view text, const SceneOverrides& overrides = {}) {
-  try {
-    loadText(text, overrides);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-void expectOneSentence(const std::string& message) {
-  ASSERT_FALSE(message.empty());
-  EXPECT_TRUE(message.back() == '.' || message.back() == '?') << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  EXPECT_EQ(message.find("exception"), std::string::npos) << message;
-  EXPECT_LT(message.size(), 400u) << message;
-}
 
 class SceneErrors : public testing::TestWithParam<Case> {};
 
@@ -390,136 +352,6 @@ const Case kCases[] = {
 
 INSTANTIATE_TEST_SUITE_P(Scene, SceneErrors, testing::ValuesIn(kCases),
                          [](const auto& test) { return std::string(test.param.name); });
-
-TEST(SceneErrorsOfFiles, TheirSceneIsValidAsItStands) {
-  EXPECT_EQ(loadText(kScene).flat.shapes.size(), 4u);
-}
-
-TEST(SceneErrorsOfFiles, CommentsAreAllowed) {
-  EXPECT_EQ(loadText("// a line\n/* a\nblock */" + std::string(kScene)).flat.shapes.size(), 4u);
-}
-
-TEST(SceneErrorsOfFiles, MissingFileFolderAndDevice) {
-  const auto errorOfFile = [](const std::filesystem::path& file) -> std::string {
-    try {
-      loadScene(file);
-    } catch (const SceneError& error) {
-      return error.what();
-    }
-    return "no error";
-  };
-  const std::string missing = errorOfFile("no/such/scene.json");
-  EXPECT_EQ(missing, "no/such/scene.json: there is no such file.");
-  const std::string folder = errorOfFile(std::filesystem::temp_directory_path());
-  EXPECT_NE(folder.find("folder"), std::string::npos) << folder;
-  const std::string device = errorOfFile("/dev/zero");
-  EXPECT_NE(device.find("device"), std::string::npos) << device;
-}
-
-TEST(SceneErrorsOfFiles, EmptyFile) {
-  const std::string message = errorOf("");
-  EXPECT_NE(message.find("is empty"), std::string::npos) << message;
-}
-
-TEST(SceneErrorsOfFiles, FileOfSpaces) {
-  const std::string message = errorOf("  \n\n ");
-  EXPECT_NE(message.find("ends here"), std::string::npos) << message;
-}
-
-TEST(SceneErrorsOfFiles, FileThatIsTooLarge) {
-  const TemporaryFile file("{}");
-  std::filesystem::resize_file(file.path(), 257u * 1024 * 1024);
-  try {
-    loadScene(file.path());
-    FAIL() << "no error";
-  } catch (const SceneError& error) {
-    EXPECT_NE(std::string(error.what()).find("at most 256 MB"), std::string::npos) << error.what();
-  }
-}
-
-TEST(SceneErrorsOfFiles, TruncatedAnywhere) {
-  // The last character is the closing bracket.
-  for (std::size_t size = 1; size < kScene.size(); ++size) {
-    const std::string message = errorOf(kScene.substr(0, size));
-    ASSERT_NE(message, "no error") << size;
-    expectOneSentence(message);
-  }
-}
-
-TEST(SceneErrorsOfFiles, DeepNestingIsRefusedNotFollowed) {
-  std::string objects;
-  for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
-  for (const std::string& text :
-       {std::string(100000, '['), objects, sceneWith(std::string(100000, '['))}) {
-    const std::string message = errorOf(text);
-    expectOneSentence(message);
-    EXPECT_NE(message.find("nested"), std::string::npos) << message;
-  }
-}
-
-TEST(SceneErrorsOfFiles, OtherKindsOfJsonAreNoScene) {
-  for (const char* text : {"[]", "7", "null", "\"scene\"", "true"}) {
-    const std::string message = errorOf(text);
-    expectOneSentence(message);
-    EXPECT_NE(message.find("a scene must be an object"), std::string::npos) << message;
-  }
-}
-
-TEST(SceneErrorsOfFiles, ShapesMustBeAnArrayAndMaterialsAnObject) {
-  const std::string shapes = errorOf(
-      R"({"camera": {"eye": [0,0,5], "target": [0,0,0], "fieldOfView": 45}, "shapes": {}})");
-  EXPECT_NE(shapes.find("/shapes: found an object"), std::string::npos) << shapes;
-  const std::string materials = errorOf(
-      R"({"camera": {"eye": [0,0,5], "target": [0,0,0], "fieldOfView": 45}, "shapes": [],
-          "materials": []})");
-  EXPECT_NE(materials.find("/materials: found an array"), std::string::npos) << materials;
-}
-
-TEST(SceneErrorsOfFiles, LongAndStrangeTextIsShownShortAndClean) {
-  std::string text(kScene);
-  text.replace(text.find("\"white\", \"vertices\""), 7,
-               "\"\\u001b[31m" + std::string(100000, 'x') + "\"");
-  const std::string message = errorOf(text);
-  expectOneSentence(message);
-  EXPECT_EQ(message.find('\x1b'), std::string::npos);
-}
-
-// Forty characters of three bytes are cut between two of them.
-TEST(SceneErrorsOfFiles, LongTextIsCutBetweenCharacters) {
-  std::string longText;
-  for (int k = 0; k < 40; ++k) longText += "\u201c";
-  std::string text(kScene);
-  text.replace(text.find("\"white\", \"vertices\""), 7, "\"" + longText + "\"");
-  const std::string message = errorOf(text);
-  expectOneSentence(message);
-  EXPECT_NE(message.find("\u201c..."), std::string::npos) << message;
-}
-
-TEST(SceneErrorsOfFiles, LongAndStrangeKeysAreShownShortAndClean) {
-  const std::string key = "\\n\\u001b[31m" + std::string(100000, 'x');
-  for (const char* there : {"\"exposure\"", "\"radius\"", "\"white\": {"}) {
-    std::string text(kScene);
-    text.replace(text.find(there), 1, "\"" + key + "\": 1, \"");
-    const std::string message = errorOf(text);
-    expectOneSentence(message);
-    EXPECT_EQ(message.find('\x1b'), std::string::npos);
-  }
-}
-
-TEST(SceneErrorsOfOverrides, AreCheckedWithTheSameLimits) {
-  const std::string size = errorOf(kScene, {.size = std::array{0, 5}});
-  EXPECT_NE(size.find("0 x 5"), std::string::npos) << size;
-  EXPECT_NE(size.find("from 1 to 16384"), std::string::npos) << size;
-  const std::string bounces = errorOf(kScene, {.maxBounces = 1001});
-  EXPECT_NE(bounces.find("1001 bounces"), std::string::npos) << bounces;
-}
-
-TEST(SceneOverridesTest, ReplaceWhatTheFileSays) {
-  const LoadedScene scene = loadText(kScene, {.size = std::array{320, 200}, .maxBounces = 0});
-  EXPECT_EQ(scene.flat.camera.width, 320u);
-  EXPECT_EQ(scene.flat.camera.height, 200u);
-  EXPECT_EQ(scene.flat.maxBounces, 0u);
-}
 
 }  // namespace
 }  // namespace pathmark
