@@ -109,25 +109,24 @@ TEST(ErrorCurves, AnotherCameraOrSceneForgetsThoseBefore) {
   EXPECT_TRUE(curves.before().empty());
 }
 
-TEST(ErrorCurves, OfPartsThatTraceInAnotherWayStandBesideThoseBefore) {
+// When another part has been chosen after some pictures of tracePath.
+ErrorCurves curvesAtPart(int part) {
   ErrorCurves curves;
   for (const double rays : {1.0, 2.0}) curves.add(picture(1, rays), 1, point(rays));
-  Picture mis = picture(2, 1.0);
-  mis.made = pictureOfPart(8);
-  curves.add(mis, 1, point(1.0));
+  Picture other = picture(2, 1.0);
+  other.made = pictureOfPart(part);
+  curves.add(other, 1, point(1.0));
+  return curves;
+}
+
+TEST(ErrorCurves, OfPartsThatTraceInAnotherWayStandBesideThoseBefore) {
+  const ErrorCurves curves = curvesAtPart(8);
   ASSERT_EQ(curves.before().size(), 1u);
   EXPECT_EQ(curves.before()[0].name, "student, sobol");
   EXPECT_EQ(curves.current().name, "student, sobol, tracePathMIS");
 }
 
-TEST(ErrorCurves, TheWarmUpForgetsThoseBefore) {
-  ErrorCurves curves;
-  for (const double rays : {1.0, 2.0}) curves.add(picture(1, rays), 1, point(rays));
-  Picture warmUp = picture(2, 1.0);
-  warmUp.made = pictureOfPart(0);
-  curves.add(warmUp, 1, point(1.0));
-  EXPECT_TRUE(curves.before().empty());
-}
+TEST(ErrorCurves, TheWarmUpForgetsThoseBefore) { EXPECT_TRUE(curvesAtPart(0).before().empty()); }
 
 TEST(ErrorCurves, AnotherReferenceForgetsWhatWasMeasuredButNotWhatWasExpected) {
   ErrorCurves curves;
