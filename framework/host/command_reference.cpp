@@ -93,6 +93,9 @@ int make(const Coursework& coursework, const LoadedScene& scene,
   request.output = folder / (scene.name + ".exr");
   request.options.raysPerPixel = arguments.raysPerPixel;
   request.options.replicates = arguments.replicates;
+  // What smooth surfaces mirror of large lights, points on the lights hardly ever find: a reference
+  // by tracePath would lack it, and its own error would not tell.
+  request.options.estimator = Estimator::kMis;
   request.options.seed = kSeed;
   request.options.sampler = findSampler(arguments.sampler);
   request.checkpoints.resume = fs::exists(request.output.string() + ".checkpoint");
@@ -176,7 +179,8 @@ void addReferenceCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark reference\n"
       "  ./pathmark reference --check\n"
       "  ./pathmark reference cornell_box --rays-per-pixel 16384\n\n"
-      "With the solutions. References are in scenes/references; those that fit their scene and "
+      "With the solutions' tracePathMIS. References are in scenes/references; those that fit their "
+      "scene and "
       "have\n"
       "as many rays are kept. An interrupted run is gone on with by the same command. The table\n"
       "says, of each, the standard error of the image's mean and the root mean square of the\n"

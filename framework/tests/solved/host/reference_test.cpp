@@ -18,6 +18,12 @@ namespace {
 // Chance of one scene's comparison to fail although its picture is right.
 constexpr double kFalseFail = 1e-6;
 
+// tracePath finds light that a smooth plate mirrors so seldom that between few replicates there is
+// no sign of what it lacks.
+Estimator estimatorThatTells(const std::string& scene) {
+  return scene == "veach_plates" ? Estimator::kMis : Estimator::kPath;
+}
+
 class Reference : public testing::TestWithParam<std::string> {
  protected:
   // The mesh of the blob is made in a folder of this test's own.
@@ -52,6 +58,7 @@ TEST_P(Reference, AgreesWithANewRender) {
   options.raysPerPixel = 32;
   options.replicates = 8;
   options.seed = 20;  // any but the reference's
+  options.estimator = estimatorThatTells(GetParam());
   ImageFile made;
   made.image = renderScene(solutions(), scene, options).rendered.image;
   made.origin.replicates = options.replicates;
