@@ -54,7 +54,7 @@ RayScene withOffset(FlatScene flat, const Lamp& lamp) {
     magnitude = std::max(magnitude, largestComponent(toVector(v)));
   for (const FlatSphere& s : flat.spheres)
     magnitude = std::max(magnitude, largestComponent(toVector(s.centre)) + s.radius);
-  return {std::move(flat), lamp, offsetForMagnitude(magnitude)};
+  return {std::move(flat), lamp, offsetForMagnitude(magnitude), {}};
 }
 
 // Points of a cube of this half edge.
@@ -125,6 +125,12 @@ RayScene cornellBox() {
   const Point corner = toVector(light.at(0));
   const Lamp lamp{corner, toVector(light.at(1)) - corner, toVector(light.at(3)) - corner};
   return withOffset(std::move(scene), lamp);
+}
+
+RayScene asSeen(FlatScene flat) {
+  RayScene scene = withOffset(std::move(flat), {});
+  scene.camera = scene.flat.camera;
+  return scene;
 }
 
 }  // namespace pathmark::bench

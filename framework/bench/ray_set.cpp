@@ -70,6 +70,20 @@ class SurfacePoints {
 
 using Closest = std::function<bool(const Ray&, PrimitiveHit&)>;
 
+// A point that the camera sees, in a pixel by chance.
+Surface chooseSeen(const FlatCamera& camera, const FlatSceneView& view, const Closest& closest,
+                   QuickRandom& random) {
+  while (true) {
+    const float x = random.next() * static_cast<float>(camera.width),
+                y = random.next() * static_cast<float>(camera.height);
+    const Ray ray{toVector(camera.eye),
+                  normalize(toVector(camera.topLeft) + x * toVector(camera.pixelRight) +
+                            y * toVector(camera.pixelDown))};
+    PrimitiveHit hit;
+    if (closest(ray, hit)) return surfaceAt(view, ray, hit);
+  }
+}
+
 void addPath(const RayScene& scene, const FlatSceneView& view, const Closest& closest, Ray ray,
              QuickRandom& random, std::size_t rays, RaySet& set) {
   for (int bounce = 0; bounce < kMostBounces && set.rays.size() < rays; ++bounce) {
@@ -95,9 +109,13 @@ RaySet prepareRays(const RayScene& scene) {
   set.rays.reserve(rays);
   set.segments.reserve(rays);
   const auto makeAll = [&](const Closest& closest) {
-    while (set.rays.size() < rays)
-      addPath(scene, view, closest, diffuseBounce(points.choose(random), scene, random), random,
-              rays, set);
+    const auto start = [&] {
+      const Surface from =
+          scene.camera ? chooseSeen(*scene.camera, view, closest, random) : points.choose(random);
+      return diffuseBounce(from, scene, random);
+    };
+    while (set.rays.size() < rays) addPath(scene, view, closest, start(), random, rays, set);
+    while (set.starts.size() < RaySet::kStarts) set.starts.push_back(start());
   };
   if (view.spheres.empty()) {
     const EmbreeIntersector embree(view);
@@ -108,8 +126,6 @@ RaySet prepareRays(const RayScene& scene) {
     const FlatIntersector flat(view);
     makeAll([&](const Ray& ray, PrimitiveHit& hit) { return flat.closest(ray, hit); });
   }
-  while (set.starts.size() < RaySet::kStarts)
-    set.starts.push_back(diffuseBounce(points.choose(random), scene, random));
   // Neighbours in the array then belong to different paths.
   for (std::size_t i = set.rays.size() - 1; i > 0; --i) {
     const std::size_t other = random.bits() % (i + 1);
