@@ -132,7 +132,7 @@ TEST(ExplainPlan, TellsWhichTestsARayGoesThrough) {
   const auto spheres = explained(randomScene(0, kLanes + 1));
   EXPECT_EQ(decisionOf(spheres, "triangles"), "none: no triangle test");
   EXPECT_EQ(decisionOf(spheres, "spheres"),
-            std::to_string(kLanes + 1) + ", a flat loop of 2 steps");
+            std::to_string(kLanes + 1).append(", a flat loop of 2 steps"));
   EXPECT_EQ(decisionOf(spheres, "backs"), "not asked for");
   EXPECT_EQ(decisionOf(explained(randomScene(1000, 0)), "triangles"), "1000 in Embree's hierarchy");
   EXPECT_EQ(decisionOf(explained(randomScene(1000, 0)), "camera rays"),
