@@ -1,12 +1,13 @@
 #include "scene/syntax_sentence.h"
 
+#include "scene/utf8.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <optional>
 
 namespace pathmark {
 namespace {
@@ -23,36 +24,20 @@ bool followsComma(std::string_view text, std::size_t end) {
   return last != std::string_view::npos && text[last] == ',';
 }
 
-// Whether a character of UTF-8 began before this byte.
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; }
-
 bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80u; }
 
-// With all of its bytes.
+// With all of its bytes; one of them where it is no UTF-8.
 std::string_view characterAt(std::string_view text, std::size_t first) {
-  std::size_t last = first + 1;
-  while (!isAscii(text[first]) && last < text.size() && continues(text[last]) && last - first < 4)
-    ++last;
-  return text.substr(first, last - first);
-}
-
-// Of a character with two bytes or more; nothing if it is no UTF-8.
-std::optional<unsigned> codePoint(std::string_view character) {
-  const auto lead = static_cast<unsigned char>(character[0]);
-  const std::size_t length = lead >= 0xf8u ? 0 : lead >= 0xf0u ? 4 : lead >= 0xe0u ? 3 : 2;
-  if (lead < 0xc0u || character.size() != length) return std::nullopt;
-  unsigned code = lead & (0xffu >> (length + 1));
-  for (const char c : character.substr(1))
-    code = code << 6 | (static_cast<unsigned char>(c) & 0x3fu);
-  return code;
+  const std::string_view rest = text.substr(first);
+  return rest.substr(0, std::max<std::size_t>(firstCharacter(rest).bytes, 1));
 }
 
 std::string lineAndColumn(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::string_view ofLine = before.substr(before.rfind('\n') + 1);
-  const auto column =
-      1 + std::count_if(ofLine.begin(), ofLine.end(), [](char c) { return !continues(c); });
+  const auto column = 1 + std::count_if(ofLine.begin(), ofLine.end(),
+                                        [](char c) { return !continuesCharacter(c); });
   return fmt::format("{}:{}", line, column);
 }
 
@@ -185,9 +170,9 @@ std::string aboutToken(std::string_view text, const Token& token, std::string_vi
                        found);
   }
   if (!token.text.empty() && !isAscii(token.text[0])) {
-    const std::optional<unsigned> code = codePoint(token.text);
-    if (!code) return kNoUtf8;
-    found += fmt::format(" (U+{:04X})", *code);
+    const Utf8Character character = firstCharacter(token.text);
+    if (character.bytes == 0) return kNoUtf8;
+    found += fmt::format(" (U+{:04X})", static_cast<unsigned>(character.code));
   }
   if (isOtherQuote(token.text)) {
     return fmt::format("found {}, but a text stands in plain quotes: \"like this\".", found);
@@ -223,15 +208,13 @@ Complaint complaintOf(std::string_view text, std::size_t end, std::string_view m
 }  // namespace
 
 std::string shown(std::string_view text, std::size_t longest) {
-  std::size_t length = std::min(longest, text.size());
-  // No part of a character.
-  while (length > 0 && length < text.size() && continues(text[length])) --length;
-  std::string result(text.substr(0, length));
+  const std::string_view cut = cutAtCharacter(text, longest);
+  std::string result(cut);
   for (char& c : result) {
     const bool printable = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
     c = printable ? c : '?';
   }
-  return text.size() > length ? result + "..." : result;
+  return text.size() > cut.size() ? result + "..." : result;
 }
 
 std::string inQuotes(std::string_view text) {

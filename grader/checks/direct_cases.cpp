@@ -1,6 +1,7 @@
 #include "checks/direct_cases.h"
 
 #include "checks/calls.h"
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/means.h"
 #include "sampling/mix.h"
@@ -18,7 +19,6 @@ namespace pathmark::checks {
 namespace {
 
 constexpr double kDelta = 0.005, kTolerance = 1e-4;
-constexpr std::array kChannels{"red", "green", "blue"};
 
 std::vector<Estimate> estimate(CheckRun& run, const LitRoom& room, std::uint64_t seed,
                                std::uint32_t replicates, std::uint32_t rays) {
@@ -163,7 +163,7 @@ Finding judgeCase(CheckRun& run, const DirectCase& c, std::uint64_t seed) {
   std::vector<Mean> means;
   for (int k = 0; k < 3; ++k) {
     Mean mean;
-    mean.what = fmt::format("mean {} radiance", kChannels[static_cast<std::size_t>(k)]);
+    mean.what = inChannel("mean radiance", k);
     mean.expected = mean.scale = c.expected[k];
     mean.tolerance = kTolerance;
     mean.delta = kDelta;

@@ -3,6 +3,7 @@
 // First what must hold bit for bit with the same random numbers, then closed forms and what leaves
 // a picture as it is, last the reference pictures of the shipped scenes.
 #include "checks/all_checks.h"
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/image_features.h"
 #include "checks/image_noise.h"
@@ -22,8 +23,6 @@ namespace pathmark::checks {
 namespace {
 
 using F = CourseworkFunction;
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 // The smallest errors of a picture's mean that are found. Those of a furnace have hardly any noise.
 constexpr double kDeltaOfFurnace = 0.005, kDeltaOfSum = 0.04, kDeltaOfReference = 0.02;

@@ -1,5 +1,6 @@
 #include "checks/image_features.h"
 
+#include "checks/channels.h"
 #include "stats/replicate_test.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ constexpr int kLooks = 2;
 constexpr std::uint64_t kReplicatesOfLook[kLooks] = {256, 768};
 
 constexpr int kModes = 4, kTiles = 8;  // in each direction
-constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 // Errors of modes and tiles are judged as if no smaller ones than these were asked for.
 constexpr double kDeltaOfMode = 0.02, kDeltaOfTile = 0.1;
@@ -172,7 +172,7 @@ Finding judgeFeatures(CheckRun& run, const ImageFeatures& features, const Featur
       if (features.isMean(k)) finding.shown = std::max(finding.shown, judgement.shown);
       if (!failed && !undecided) continue;
       finding.status = failed ? Status::kFail : Status::kUndecided;
-      const std::string what = fmt::format("{}, {}", features.name(k), kChannels[k % 3]);
+      const std::string what = inChannel(features.name(k), static_cast<int>(k % 3));
       finding.where = where;
       finding.expected = fmt::format("{} = {:.5g}", what, target.expected[k]);
       finding.got = fmt::format("{} = {:.5g}, relative to the right picture", what, judgement.mean);

@@ -1,4 +1,5 @@
 // What is asked of part 0: one bounce, and the whole path.
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/part0_checks.h"
 #include "checks/radiance_checks.h"
@@ -358,7 +359,7 @@ Finding endsAreExact(CheckRun& run) {
   for (std::size_t i = 0; i < inputs.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       const double expected = inputs[i].expected[c];
-      exact.value(fmt::format("radiance[{}]", c), results.vector(i, 0)[c], expected,
+      exact.value(inChannel("radiance", c), results.vector(i, 0)[c], expected,
                   relativeTolerance() * 7.0, [&] { return inputs[i].where; },
                   {inputs[i].fromFront ? expected : 0.0});
     }
@@ -386,7 +387,7 @@ Finding aloneItOnlyEmits(CheckRun& run) {
   };
   for (std::size_t i = 0; i < results.count(); ++i)
     for (int c = 0; c < 3; ++c)
-      exact.value(fmt::format("radiance[{}]", c), results.vector(i, 0)[c], double{emission[c]},
+      exact.value(inChannel("radiance", c), results.vector(i, 0)[c], double{emission[c]},
                   relativeTolerance() * 2.0, where, {0.0});
   return exact.finding();
 }

@@ -1,4 +1,5 @@
 // What is asked of part 1: the rays of a pixel, as a tracePath sees them that records them.
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/film_point.h"
 #include "checks/means.h"
@@ -248,8 +249,7 @@ Finding meanIsOfAllRays(CheckRun& run) {
         last(PixelRecorder::radianceOf(static_cast<std::uint32_t>(rays - 1)));
     for (int c = 0; c < 3; ++c) {
       const double n = rays, mean = sum[c] / n;
-      exact.value(fmt::format("mean[{}]", c), pixel.counts.mean[c], mean,
-                  relativeTolerance() * mean,
+      exact.value(inChannel("mean", c), pixel.counts.mean[c], mean, relativeTolerance() * mean,
                   [&] {
                     return fmt::format("{}, whose radiances are {}, {}, ...", question.text(),
                                        text(PixelRecorder::radianceOf(0)),

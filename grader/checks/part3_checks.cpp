@@ -1,6 +1,7 @@
 // What is asked of part 3, the Lambertian BRDF.
 #include "checks/all_checks.h"
 #include "checks/calls.h"
+#include "checks/channels.h"
 #include "checks/direction_checks.h"
 #include "checks/exact.h"
 #include "checks/points.h"
@@ -72,8 +73,8 @@ Finding valueIsKdOverPi(CheckRun& run) {
     const Pair& p = inputs[i];
     for (int c = 0; c < 3; ++c) {
       const double f = double{kKd[c]} / kPiD, expected = p.bothAbove() ? f : 0.0;
-      exact.value(fmt::format("f[{}]", c), results.vector(i, 0)[c], expected,
-                  relativeTolerance() * f, [&] { return p.text(); },
+      exact.value(inChannel("f", c), results.vector(i, 0)[c], expected, relativeTolerance() * f,
+                  [&] { return p.text(); },
                   {expected * kPiD, expected * p.cosI, f, p.cosI > 0.0 ? f : 0.0,
                    p.cosO > 0.0 ? f : 0.0, 0.5 * expected});
     }

@@ -1,4 +1,5 @@
 // What is asked of the value of the modified Phong BRDF.
+#include "checks/channels.h"
 #include "checks/part4_checks.h"
 #include "checks/phong_quadrature.h"
 #include "checks/points.h"
@@ -62,7 +63,7 @@ class ValueJudge {
       const double expected = side * (kd + specular);
       const double allowed =
           relativeTolerance() * expected + 1e-6 + side * specular * lobeTolerance(m, c);
-      const auto what = fmt::format("f[{}]", k);
+      const std::string what = inChannel("f", k);
       const auto where = [&] {
         return fmt::format("wo = {}, wi = {}, n = {}, {}", text(p.wo), text(p.wi), text(p.n),
                            material.text());

@@ -5,6 +5,7 @@
 // an eighth of its samples, and the roulette ends seven paths of ten.
 #include "checks/part5_checks.h"
 #include "checks/all_checks.h"
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/hollow.h"
 #include "checks/lopsided_furnace.h"
@@ -27,7 +28,6 @@ using namespace path;
 using F = CourseworkFunction;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 // Errors that are found: of the radiance of one ray in one channel, and of all of them together.
 struct Deltas {
@@ -39,9 +39,7 @@ constexpr Deltas kCoarse{0.05, 0.01};
 
 void addMeans(std::vector<Mean>& means, const std::string& what, const glm::dvec3& radiance) {
   for (int c = 0; c < 3; ++c)
-    means.push_back({.what = fmt::format("{}, {}", what, kChannels[c]),
-                     .expected = radiance[c],
-                     .scale = radiance[c]});
+    means.push_back({.what = inChannel(what, c), .expected = radiance[c], .scale = radiance[c]});
 }
 
 // The mean of all values, each over what it must be.

@@ -1,4 +1,5 @@
 // What one path of 5.1 must be, whatever the mean.
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/hollow.h"
 #include "checks/part5_checks.h"
@@ -13,8 +14,6 @@
 namespace pathmark::checks::path {
 
 namespace {
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 std::string inWords(const Ray& ray) {
   return fmt::format("a ray from {} towards {}", text(ray.origin), text(ray.direction));
@@ -82,8 +81,8 @@ Finding emissionIsSeen(CheckRun& run) {
       continue;
     for (int channel = 0; channel < 3; ++channel) {
       const double expected = double{c.expected[channel]};
-      exact.value(fmt::format("radiance, {}", kChannels[channel]), traced[k].radiance[channel],
-                  expected, 0x1p-22 * expected, where,
+      exact.value(inChannel("radiance", channel), traced[k].radiance[channel], expected,
+                  0x1p-22 * expected, where,
                   {0.0, 2.0 * expected, 0.5 * expected, c.ray.bounces == 0 ? expected : 0.0,
                    c.meets ? double{emission[channel]} : 0.0});
     }

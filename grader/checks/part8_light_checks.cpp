@@ -1,5 +1,6 @@
 // What is asked of 8.3 before lights that can be sampled. Its worker has the stand-ins of part 5's;
 // that of part 2 gives points of rectangles.
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/lit_room.h"
 #include "checks/part8_checks.h"
@@ -26,7 +27,6 @@ constexpr double kDelta = 0.005, kTwoPi = 2.0 * std::numbers::pi;
 // A throughput that is black in green keeps the roulette's stand-in from ending paths, which would
 // be most of the noise.
 constexpr std::array kLit{0, 2};
-constexpr std::array kNames{"red", "green", "blue"};
 const Colour kKd(kReceiverKd.x, 0.0f, kReceiverKd.z);
 
 // `width` along an axis of the plane that is turned by `turn`, `height` across.
@@ -163,7 +163,7 @@ Finding judgeRay(CheckRun& run, const PathRay& ray, std::uint32_t paths, const g
                  const std::string& where, const std::vector<Suspicion>& suspicions) {
   std::vector<Mean> means;
   for (const int channel : kLit)
-    means.push_back({.what = fmt::format("radiance, {}", kNames.at(std::size_t(channel))),
+    means.push_back({.what = inChannel("radiance", channel),
                      .expected = right[channel],
                      .delta = kDelta,
                      .scale = right[channel]});

@@ -1,5 +1,6 @@
 #include "checks/radiance_checks.h"
 
+#include "checks/channels.h"
 #include "checks/exact.h"
 #include "checks/pcg2d.h"
 
@@ -80,7 +81,7 @@ Finding judgeRadiance(CheckRun& run, const RadianceQuestion& question, const glm
   std::vector<Mean> means;
   for (int c = 0; c < 3; ++c) {
     Mean mean;
-    mean.what = fmt::format("mean radiance, {}", c == 0 ? "red" : c == 1 ? "green" : "blue");
+    mean.what = inChannel("mean radiance", c);
     mean.expected = mean.scale = expected[c];
     mean.delta = 0.005;
     means.push_back(mean);

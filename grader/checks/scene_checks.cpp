@@ -60,13 +60,15 @@ std::vector<TileNoise> tileNoise(const std::vector<PlainImage>& replicates) {
       const int left = column * width / kTiles, right = (column + 1) * width / kTiles,
                 top = row * height / kTiles, bottom = (row + 1) * height / kTiles;
       double sum = 0.0, count = 0.0;
-      for (int j = top; j < bottom; ++j)
+      for (int j = top; j < bottom; ++j) {
+        const auto line = values.begin() + std::ptrdiff_t{3} * width * j;
         for (int k = 3 * left; k < 3 * right; ++k) {
-          const stats::RunningMoments& value = values[static_cast<std::size_t>(3 * j * width + k)];
+          const stats::RunningMoments& value = line[k];
           const double size = std::max({value.mean(), dark, 1e-30});
           sum += value.variance() / (size * size);
           ++count;
         }
+      }
       if (count == 0.0) continue;
       tiles.push_back(
           {0.5 * (left + right) / width, 0.5 * (top + bottom) / height, std::sqrt(sum / count)});

@@ -157,9 +157,7 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
                    "A part (3), a function (3.3 or lambertianBRDF::reflection), a check "
                    "(3.3/samples), images, or 7 for your own scenes; all of them by default")
       ->type_name("PART|FUNCTION");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: student (default), solutions, or a folder of part*.cpp files")
+  command->add_option("--with", arguments->with, "Coursework: " + courseworkChoices("student"))
       ->type_name("DIR");
   takesWholeNumber(
       command->add_option("--seed", arguments->seed,

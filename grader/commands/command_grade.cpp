@@ -58,16 +58,23 @@ grading::RunAsked runAsked(const GradeArguments& arguments) {
   return asked;
 }
 
-std::vector<submission::Submission> findAll(const GradeArguments& arguments) {
+// An instructor may keep both in one folder.
+void forgetOutput(submission::FoundSubmissions& found, const fs::path& out) {
+  const fs::path whole = fs::weakly_canonical(out);
+  std::erase_if(found.leftOut, [&](const auto& one) { return one.source == whole; });
+}
+
+submission::FoundSubmissions findAll(const GradeArguments& arguments, const fs::path& out) {
   if (arguments.what.empty()) return {};
   const std::vector<fs::path> paths(arguments.what.begin(), arguments.what.end());
-  const submission::FoundSubmissions found = submission::findSubmissions(paths);
+  submission::FoundSubmissions found = submission::findSubmissions(paths);
   for (const std::string& remark : found.remarks) fmt::print(stderr, "{}\n", remark);
   if (found.submissions.empty())
     throw UsageError(
         "There is no submission here: it is a folder or an archive with part*.cpp files, or a "
         "folder of such.");
-  return found.submissions;
+  forgetOutput(found, out);
+  return found;
 }
 
 // Says in a line of its own what is done; on a terminal a bar stands below.
@@ -98,8 +105,9 @@ class Screen {
     ++done_;
     internalError_ = internalError_ || record.internalError();
     if (known) return;
-    std::string line =
-        fmt::format("[{}/{}] {}: {:.1f} s", done_, all_, record.name, record.seconds);
+    std::string line = fmt::format("[{}/{}] {}: ", done_, all_, record.name);
+    line += record.leftOut.empty() ? fmt::format("{:.1f} s", record.seconds)
+                                   : fmt::format("not graded. {}", record.leftOut);
     if (record.internalError()) line += "; " + record.failure;
     if (done_ < all_ && left_ > 0.0) line += fmt::format("; {} left", timeInWords(left_));
     bar_.printAbove(line + "\n");
@@ -140,10 +148,11 @@ std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
 int grade(const GradeArguments& arguments) {
   const rubric::Rubric rubric = readRubricFor(arguments);
   const grading::RunAsked asked = runAsked(arguments);
-  const std::vector<submission::Submission> submissions = findAll(arguments);
   const fs::path out = !arguments.out.empty()
                            ? arguments.out
                            : (arguments.only.empty() ? "grades" : "grades-" + arguments.only);
+  const submission::FoundSubmissions found = findAll(arguments, out);
+  const std::vector<submission::Submission>& submissions = found.submissions;
   if (submissions.empty() && !fs::exists(out / "run.json"))
     throw UsageError(
         "Name what is to be graded: folders or archives with part*.cpp files, or a folder of "
@@ -160,7 +169,7 @@ int grade(const GradeArguments& arguments) {
     options.threads = std::max(1u, processors / options.jobs);
     options.secondsAtMost = arguments.secondsAtMost;
     Screen screen(submissions.size());
-    grading::gradeClass(submissions, folder, sandbox, options, screen.events());
+    grading::gradeClass(found, folder, sandbox, options, screen.events());
     screen.clear();
     if (screen.anyInternalError()) code = kMachineFault;
   }
@@ -170,7 +179,8 @@ int grade(const GradeArguments& arguments) {
              displayPath(folder.path() / "marks.csv"), folder.seed());
   for (const std::string& name : reports.unreadable())
     fmt::print(stderr,
-               "{}: this record is damaged, and in no report; grade the submission again.\n",
+               "{}: this record is damaged, so that there are no marks; grade the submission "
+               "again.\n",
                displayPath(folder.folderOf(name) / "record.json"));
   if (interrupted()) {
     fmt::print(stderr, "Interrupted; the same command goes on from here.\n");
@@ -224,8 +234,11 @@ void addGradeCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark grade submissions/ --jobs 1 --seed 7\n"
       "  ./pathmark grade --out grades --rubric mine.json     (marks anew, nothing is run)\n\n"
       "Ctrl-C keeps what is done; the same command goes on.\n"
-      "Exit code: 0 if all were graded, whatever their marks; 2 for a wrong command line; 3 if the "
-      "grader or the machine failed at one; 130 if interrupted.");
+      "What cannot be graded, such as an archive that is damaged or a folder without part*.cpp, "
+      "has "
+      "a row without marks, and the reason.\n"
+      "Exit code: 0 if all others were graded, whatever their marks; 2 for a wrong command line; 3 "
+      "if the grader or the machine failed at one; 130 if interrupted.");
   command->callback([arguments, &action] { action = [arguments] { return grade(*arguments); }; });
 }
 

@@ -8,7 +8,8 @@
 namespace pathmark {
 
 // "" for all; "3" or "part3"; "3.3"; "lambertianBRDF::reflection" or "reflection" where only one
-// function ends so; "3.3/samples"; "images" or "images/mean". Throws UsageError for anything else.
+// function ends so; "3.3/samples"; "images" or "images/mean". Throws UsageError for anything else,
+// with all functions that it may mean.
 checks::Selection selectChecks(const std::string& what);
 
 }  // namespace pathmark

@@ -27,8 +27,17 @@ bool isLeftOut(const KnownSignature& known, const std::vector<std::string>& left
   return std::find(leftOut.begin(), leftOut.end(), known.mistake) != leftOut.end();
 }
 
-std::string inDigits(double x) {
-  return std::isnan(x) ? std::string("no number") : fmt::format("{:.4g}", x);
+// What a feature is, or was.
+std::string inWords(const Feature& feature, double value) {
+  if (std::isnan(value)) return "no number";
+  if (feature.isAnswer) return value == 0.0 ? "no" : "yes";
+  return fmt::format("{:.4g}", value);
+}
+
+// "mean of cos(theta) is 0.6366", "whether a black path ever survives: yes"
+std::string asSeen(const Feature& feature) {
+  return fmt::format("{}{} {}", feature.what, feature.isAnswer ? ":" : " is",
+                     inWords(feature, feature.value));
 }
 
 // Up to two features that tell most, and how many there are.
@@ -53,9 +62,9 @@ std::string evidenceFor(const Signature& seen, const KnownSignature& mistake,
   telling.resize(std::min(wrong, kMost));
   std::string text;
   for (const std::size_t k : telling)
-    text += fmt::format("{} is {} (right: {}; with this mistake: {}). ", features[k].what,
-                        inDigits(features[k].value), inDigits(right.values[k]),
-                        inDigits(mistake.values[k]));
+    text +=
+        fmt::format("{} (right: {}; with this mistake: {}). ", asSeen(features[k]),
+                    inWords(features[k], right.values[k]), inWords(features[k], mistake.values[k]));
   return text + fmt::format(
                     "Of {} things that were measured {} are not right, and all of them "
                     "agree with this mistake.",
@@ -91,8 +100,8 @@ std::string farthest(const Signature& seen, const KnownSignature& known) {
     const double d = distanceOf(features[k], known.values[k], known.errors[k]);
     if (!(d > largest)) continue;
     largest = d;
-    text = fmt::format("{} is {}, not {}, {:.1f} standard errors off", features[k].what,
-                       inDigits(features[k].value), inDigits(known.values[k]), d);
+    text = fmt::format("{}, not {}, {:.1f} standard errors off", asSeen(features[k]),
+                       inWords(features[k], known.values[k]), d);
   }
   return text;
 }

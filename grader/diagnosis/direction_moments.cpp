@@ -76,8 +76,10 @@ void DirectionMoments::addTo(Signature& signature, const std::string& where,
   add("mean of cos(theta)", kZ);
   add("mean of cos(theta)^2", kZ2);
   sums_.addLength(signature, "length of the mean direction across the axis" + where, {kX, kY});
-  sums_.addLength(signature, "mean of cos(theta) sin(theta) e^(i phi)" + where, {kXz, kYz});
-  sums_.addLength(signature, "mean of sin(theta)^2 e^(2 i phi)" + where, {kCos2, kSin2});
+  sums_.addLength(signature, "size of the mean of cos(theta) sin(theta) e^(i phi)" + where,
+                  {kXz, kYz});
+  sums_.addLength(signature, "size of the mean of sin(theta)^2 e^(2 i phi)" + where,
+                  {kCos2, kSin2});
   add("mean weight of the samples", kWeight);
   add("share of directions that are not of unit length", kNotUnit);
   add("share of answers that are no numbers", kInvalid);
@@ -86,12 +88,12 @@ void DirectionMoments::addTo(Signature& signature, const std::string& where,
     return;
   }
   add("share of samples whose density is not that of pdf()", kOffOwn);
-  add("density, over itself and that of pdf()", kOwn);
+  add("density / (density + that of pdf())", kOwn);
   if (densities == Densities::kOwn) return;
   add("share of directions below the surface", kBelow);
   add("share of samples of density 0", kNoDensity);
-  add("density, over itself and that of the contract", kNamed);
-  add("square of the density over itself and that of the contract", kNamedZ);
+  add("density / (density + that of the contract)", kNamed);
+  add("mean square of density / (density + that of the contract)", kNamedZ);
 }
 
 }  // namespace pathmark::diagnosis

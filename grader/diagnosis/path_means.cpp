@@ -1,15 +1,13 @@
 #include "diagnosis/path_means.h"
 
-#include <fmt/format.h>
+#include "checks/channels.h"
 
 #include <algorithm>
-#include <array>
 
 namespace pathmark::diagnosis {
 
 void addPathMeans(const ProbeRun& run, const PathQuestion& question, Signature& signature) {
   constexpr std::uint32_t kReplicates = 32;
-  constexpr std::array kChannels{"red", "green", "blue"};
   std::vector<checks::PathRay> rays;
   for (const NamedRay& ray : question.rays) rays.push_back(ray.ray);
   stats::ErrorBudget budget;
@@ -24,11 +22,9 @@ void addPathMeans(const ProbeRun& run, const PathQuestion& question, Signature& 
       of[k] = values[r * of.size() + k] / double{question.scale[static_cast<int>(k % 3)]};
   }
   for (std::size_t k = 0; k < rays.size(); ++k)
-    for (const int c : question.channels) {
-      const auto channel = static_cast<std::size_t>(c);
-      means.add(signature, fmt::format("{} ({})", question.rays[k].what, kChannels[channel]),
-                3 * k + channel);
-    }
+    for (const int channel : question.channels)
+      means.add(signature, checks::inChannel(question.rays[k].what, channel),
+                3 * k + static_cast<std::size_t>(channel));
 }
 
 }  // namespace pathmark::diagnosis

@@ -1,5 +1,6 @@
 // Direct light in rooms whose radiance is known: see checks/part2_direct_checks.cpp.
 #include "checks/calls.h"
+#include "checks/channels.h"
 #include "checks/plain_light.h"
 #include "checks/random_rooms.h"
 #include "diagnosis/light_probes.h"
@@ -96,7 +97,8 @@ void addMean(const ProbeRun& run, const Room& r, const glm::dvec3& right, Signat
   means.add(signature, "radiance over what it must be, " + r.name, 3);
   if (r.name == "under a rectangle")
     for (std::size_t c = 0; c < 3; ++c)
-      means.add(signature, fmt::format("radiance over what it must be, {}, channel {}", r.name, c),
+      means.add(signature,
+                checks::inChannel("radiance over what it must be, " + r.name, static_cast<int>(c)),
                 c);
   means.add(signature, "share of estimates that are no radiance, " + r.name, 4);
 }

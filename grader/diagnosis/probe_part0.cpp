@@ -21,11 +21,12 @@ using F = CourseworkFunction;
 // How a ray passes a triangle, as far as it matters.
 std::string situation(const Meeting& m) {
   const bool parallelogram = m.b1 >= 0.0 && m.b1 <= 1.0 && m.b2 >= 0.0 && m.b2 <= 1.0;
-  return fmt::format("{}, {}, {}",
-                     m.inside()      ? "inside"
-                     : parallelogram ? "in the parallelogram"
+  return fmt::format("its plane is met {}, {}, from its {}",
+                     m.inside()      ? "inside of the triangle"
+                     : parallelogram ? "in the parallelogram, outside of the triangle"
                                      : "outside",
-                     m.t > 0.0 ? "in front" : "behind", m.determinant > 0.0 ? "front" : "back");
+                     m.t > 0.0 ? "ahead" : "behind the origin",
+                     m.determinant > 0.0 ? "front" : "back");
 }
 
 Signature triangle(const ProbeRun& run) {
@@ -41,9 +42,10 @@ Signature triangle(const ProbeRun& run) {
       const Results results = calls.run(run.worker);
       const bool hit = results.word(0, 0) != 0;
       const std::string where =
-          fmt::format("ray {} at a triangle of size {}: {}", k + 1, size, situation(m));
-      signature.add("hit, " + where, hit ? 1.0 : 0.0);
-      signature.add("t over what it must be, " + where, hit ? results.number(0, 1) / m.t : -1.0);
+          fmt::format("of ray {} at a triangle of size {} ({})", k + 1, size, situation(m));
+      signature.addAnswer("whether there is a hit " + where, hit);
+      signature.add("t over what it must be (-1: no hit) " + where,
+                    hit ? results.number(0, 1) / m.t : -1.0);
     }
   return signature;
 }
@@ -77,11 +79,11 @@ Signature mesh(const ProbeRun& run) {
       const Results results = calls.run(run.worker);
       const bool hit = results.word(0, 0) != 0;
       const std::string where =
-          fmt::format("ray {} at mesh {} of {} triangles", k + 1, trial + 1, kTriangles);
-      signature.add("hit, " + where, hit ? 1.0 : 0.0);
-      signature.add("number of the triangle that is hit, " + where,
+          fmt::format("of ray {} at mesh {} of {} triangles", k + 1, trial + 1, kTriangles);
+      signature.addAnswer("whether there is a hit " + where, hit);
+      signature.add("number of the triangle, counted from 0 (-1: no hit), " + where,
                     hit ? double{results.number(0, 2 + 12)} : -1.0);
-      signature.add("t over what it must be, " + where,
+      signature.add("t over what it must be (-1: no hit) " + where,
                     hit && nearest < 1e30 ? results.number(0, 1) / nearest : -1.0);
     }
   }
@@ -106,11 +108,15 @@ Signature numbers(const ProbeRun& run) {
   Signature signature;
   for (std::size_t i = 0; i < seeds.size(); ++i)
     for (std::size_t c = 0; c < 2; ++c) {
-      const std::string where = fmt::format("[{}], seed ({}, {})", c, seeds[i].x, seeds[i].y);
-      signature.add("number" + where, results.number(i, c));
-      signature.add("number is 1 or more" + where, results.number(i, c) >= 1.0f ? 1.0 : 0.0);
-      signature.add("new seed over 2^32" + where, results.word(i, 2 + c) * 0x1p-32);
-      signature.add("last digits of the new seed" + where, results.word(i, 2 + c) % 1000u);
+      const std::string number = fmt::format("the {} number of the seed ({}, {})",
+                                             c == 0 ? "first" : "second", seeds[i].x, seeds[i].y),
+                        next = fmt::format("{} of the seed that follows ({}, {})",
+                                           c == 0 ? "x" : "y", seeds[i].x, seeds[i].y);
+      signature.add(number, results.number(i, c));
+      signature.addAnswer(fmt::format("whether {} is 1 or more", number),
+                          results.number(i, c) >= 1.0f);
+      signature.add(next + " over 2^32", results.word(i, 2 + c) * 0x1p-32);
+      signature.add("the last three digits of " + next, results.word(i, 2 + c) % 1000u);
     }
   return signature;
 }

@@ -1,5 +1,6 @@
 // Camera rays. The probe's tracePath records those of renderPixel.
 #include "checks/calls.h"
+#include "checks/channels.h"
 #include "checks/film_point.h"
 #include "checks/part1_checks.h"
 #include "checks/pixel_question.h"
@@ -127,9 +128,7 @@ void addCounts(const ProbeRun& run, const SimpleCamera& camera, int rays, Signat
     double right = 0.0;
     for (int m = 0; m < rays; ++m)
       right += double{PixelRecorder::radianceOf(static_cast<std::uint32_t>(m))[c]} / rays;
-    add(c == 0   ? "colour over the mean of the rays' radiance, red"
-        : c == 1 ? "colour over the mean of the rays' radiance, green"
-                 : "colour over the mean of the rays' radiance, blue",
+    add(inChannel("colour over the mean of the rays' radiance", c).c_str(),
         pixel.counts.mean[c] / right);
   }
   add("the same pixel once more, over the first time",

@@ -1,4 +1,5 @@
 // The Lambertian BRDF.
+#include "checks/channels.h"
 #include "checks/points.h"
 #include "diagnosis/direction_probe.h"
 
@@ -35,8 +36,9 @@ Signature values(const ProbeRun& run) {
   const Results results = calls.run(run.worker);
   Signature signature;
   for (std::size_t i = 0; i < where.size(); ++i)
-    for (std::size_t c = 0; c < (isDensity ? 1u : 3u); ++c)
-      signature.add((isDensity ? "pdf" : fmt::format("f[{}]", c)) + where[i], results.number(i, c));
+    for (int c = 0; c < (isDensity ? 1 : 3); ++c)
+      signature.add((isDensity ? "pdf" : inChannel("f", c)) + where[i],
+                    results.number(i, static_cast<std::size_t>(c)));
   return signature;
 }
 

@@ -1,5 +1,6 @@
 // The modified Phong BRDF. Which probability a lobe is drawn with is left open: where both lobes
 // are there, a density is described by how it goes with the direction, and samples are weighted.
+#include "checks/channels.h"
 #include "checks/phong_oracle.h"
 #include "checks/points.h"
 #include "diagnosis/direction_probe.h"
@@ -74,9 +75,9 @@ Signature values(const ProbeRun& run) {
     for (const Directions& d : directions()) {
       const Results results = ask(run, c.material, d);
       for (std::size_t i = 0; i < d.wi.size(); ++i)
-        for (std::size_t channel = 0; channel < 3; ++channel)
-          signature.add(fmt::format("f[{}]{}, {}", channel, d.words[i], c.name),
-                        results.number(i, channel));
+        for (int channel = 0; channel < 3; ++channel)
+          signature.add(fmt::format("{}{}, {}", inChannel("f", channel), d.words[i], c.name),
+                        results.number(i, static_cast<std::size_t>(channel)));
     }
   return signature;
 }

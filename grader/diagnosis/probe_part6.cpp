@@ -4,6 +4,8 @@
 #include "checks/points.h"
 #include "diagnosis/probes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -62,8 +64,8 @@ std::vector<Fate> fates(const ProbeRun& run, const std::vector<Path>& all, Signa
   }
   for (Fate& fate : result)
     if (fate.q > 0.0) fate.weight /= fate.q * kNumbers;
-  signature.add("whether answers are the same again",
-                repeated == static_cast<double>(results.count()) ? 1.0 : 0.0);
+  signature.addAnswer("whether the same arguments give the same answer again",
+                      repeated == static_cast<double>(results.count()));
   return result;
 }
 
@@ -82,7 +84,7 @@ Signature probePart6(const ProbeRun& run) {
       count += 1.0;
       held += holds(all[p], of[p]) ? 1.0 : 0.0;
     }
-    signature.add(what, count > 0.0 ? held / count : -1.0);
+    signature.add(fmt::format("{} (-1: there is none)", what), count > 0.0 ? held / count : -1.0);
   };
   const auto sometimes = [](const Path&, const Fate& f) { return f.q > 1e-3 && f.q < 0.999; };
   const auto toEnd = [](const Path& p, const Fate&) { return p.mustEnd(); };
@@ -110,24 +112,24 @@ Signature probePart6(const ProbeRun& run) {
       "share of the weights that are below 1", [](const Path&, const Fate& f) { return f.q > 0.0; },
       [](const Path&, const Fate& f) { return f.weight < 0.996; });
   std::vector<double> products;
-  double falls = 0.0;
+  bool falls = false;
   for (std::size_t p = 0; p < all.size(); ++p)
     if (sometimes(all[p], of[p])) products.push_back(of[p].q * of[p].weight);
   for (std::size_t p = 0; p + 6 < all.size(); ++p)
     if (all[p].throughput == Colour(0.3f) && all[p].depth == 12)
-      falls = of[p].q + 0.01 < of[p + 3].q ? 1.0 : 0.0;
+      falls = of[p].q + 0.01 < of[p + 3].q;
   std::sort(products.begin(), products.end());
   // A choice of the probability does not change this where the weight is in proportion to 1/q.
   const bool alike = !products.empty() && near(products.front(), products.back());
-  signature.add("q times the weight, where it is the same for all paths",
+  signature.add("q times the weight, if that is the same for all paths (-1: it is not)",
                 alike ? products[products.size() / 2] : -1.0, 0.0, 10.0);
-  signature.add("whether darker paths survive more often", falls);
+  signature.addAnswer("whether darker paths survive more often", falls);
   Calls black(F::kRussianRoulette);
   for (const float u : kEdgeNumbers) black.add(Colour(0.0f), 5, u);
   const Results results = black.run(run.worker);
-  double lives = 0.0;
-  for (std::size_t i = 0; i < results.count(); ++i) lives += results.word(i, 0) != 0 ? 1.0 : 0.0;
-  signature.add("whether a black path ever survives", lives > 0.0 ? 1.0 : 0.0);
+  bool lives = false;
+  for (std::size_t i = 0; i < results.count(); ++i) lives = lives || results.word(i, 0) != 0;
+  signature.addAnswer("whether a black path ever survives", lives);
   return signature;
 }
 

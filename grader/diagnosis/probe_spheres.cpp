@@ -93,13 +93,13 @@ void addSample(const SphereView& view, const Results& results, std::size_t i, do
 void addFeatures(Replicates& sums, const char* name, Signature& signature) {
   const auto words = [&](const char* what) { return fmt::format("{}, {}", what, name); };
   const auto add = [&](const char* what, std::size_t k) { sums.add(signature, words(what), k); };
-  add("mean of h, from 0 in the middle to 1 at the limb", kH);
-  add("mean of h squared", kH2);
+  add("mean of h, which is 0 in the middle of the sphere and 1 at its limb", kH);
+  add("mean of h squared, which is 0 in the middle of the sphere and 1 at its limb", kH2);
   add("mean weight: the contract's density over the one that is returned", kWeight);
-  sums.addLength(signature, words("mean of e^(i phi)"), {kX, kY});
-  sums.addLength(signature, words("mean of e^(2 i phi)"), {kCos2, kSin2});
-  sums.addLength(signature, words("mean of h e^(i phi)"), {kXh, kYh});
-  add("density, over itself and that of pdf()", kOwn);
+  sums.addLength(signature, words("size of the mean of e^(i phi)"), {kX, kY});
+  sums.addLength(signature, words("size of the mean of e^(2 i phi)"), {kCos2, kSin2});
+  sums.addLength(signature, words("size of the mean of h e^(i phi)"), {kXh, kYh});
+  add("density / (density + that of pdf())", kOwn);
   add("share of samples whose density is not that of pdf()", kOffOwn);
   add("mean cosine between n and the outward normal", kOutward);
   add("mean distance from the centre, over the radius", kRadius);

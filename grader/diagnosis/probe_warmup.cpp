@@ -1,5 +1,6 @@
 // One bounce and the whole path of part 0, in meshes like those of
 // checks/part0_radiance_checks.cpp.
+#include "checks/channels.h"
 #include "checks/pcg2d.h"
 #include "checks/points.h"
 #include "checks/radiance_checks.h"
@@ -51,8 +52,10 @@ void addMeans(const ProbeRun& run, const Words& mesh, const std::string& where, 
         of[c] += double{radiance[static_cast<int>(c)]} / double{scale[static_cast<int>(c)]};
   }
   means.divideBy(kSeeds);
-  for (std::size_t c = 0; c < 3; ++c)
-    means.add(signature, fmt::format("mean radiance, channel {}, {}", c, where), c);
+  const std::string what = scale == Colour(1.0f) ? "mean radiance" : "mean radiance over emission";
+  for (int c = 0; c < 3; ++c)
+    means.add(signature, fmt::format("{}, {}", inChannel(what, c), where),
+              static_cast<std::size_t>(c));
   means.add(signature, "share of values that are no numbers, " + where, 4);
 }
 

@@ -21,6 +21,11 @@ void Signature::add(std::string what, double value, double error, double scale) 
   features_.push_back({std::move(what), value, error, kSlack * scale});
 }
 
+void Signature::addAnswer(std::string question, bool yes) {
+  add(std::move(question), yes ? 1.0 : 0.0);
+  features_.back().isAnswer = true;
+}
+
 void Replicates::divideBy(double points) {
   for (double& value : values_) value /= points;
 }

@@ -4,6 +4,9 @@
 //   Signature      all of them, in an order that depends on the function only
 //   Replicates     means over independently randomised replicates, which become features
 //
+// Its words are read by students, as evidence: "mean of cos(theta) is 0.6366 (right: 0.6667; ...)",
+// "whether the first number is below 1: no (right: yes; ...)".
+//
 // A feature must not depend on choices that the contract leaves open: which number moves a point
 // which way, which frame, which map, which probability of a lobe. So samplers are described by
 // moments that are the same for all of those.
@@ -19,10 +22,11 @@
 namespace pathmark::diagnosis {
 
 struct Feature {
-  std::string what;    // "mean of cos(theta), n = (0, 0, 1)"
-  double value = 0.0;  // NaN: it cannot be measured, or is not finite
-  double error = 0.0;  // standard error
-  double slack = 0.0;  // a difference that rounding may make
+  std::string what;       // "mean of cos(theta), n = (0, 0, 1)"
+  double value = 0.0;     // NaN: it cannot be measured, or is not finite
+  double error = 0.0;     // standard error
+  double slack = 0.0;     // a difference that rounding may make
+  bool isAnswer = false;  // to a question, "whether ...": 1 is yes, 0 is no
 };
 
 class Signature {
@@ -31,6 +35,9 @@ class Signature {
 
   // `scale`: a typical size of the value, of which rounding may change one part in 20,000.
   void add(std::string what, double value, double error = 0.0, double scale = 1.0);
+
+  // "whether ..."
+  void addAnswer(std::string question, bool yes);
 
  private:
   std::vector<Feature> features_;

@@ -153,15 +153,21 @@ void ClassFolder::removeScratch(const std::string& name) const {
   fs::remove_all(folder_ / ".work" / name, ignored);
 }
 
-void ClassFolder::expectNoOther(const std::string& name, const std::string& source) const {
+std::optional<std::string> ClassFolder::otherSource(const std::string& name,
+                                                    const std::string& source) const {
   const std::optional<record::SubmissionRecord> known = find(name);
-  if (!known || known->source.empty() || known->source == source) return;
+  if (!known || !known->leftOut.empty() || known->source.empty() || known->source == source)
+    return std::nullopt;
   std::error_code error;
-  if (!fs::exists(known->source, error)) return;
-  throw UsageError(
-      fmt::format("{}: this is the record of {}, and that of {} would replace it: rename one of "
-                  "them, give another folder with --out, or remove this one.",
-                  displayPath(folderOf(name)), known->source, source));
+  return fs::exists(known->source, error) ? std::optional(known->source) : std::nullopt;
+}
+
+void ClassFolder::expectNoOther(const std::string& name, const std::string& source) const {
+  if (const std::optional<std::string> other = otherSource(name, source))
+    throw UsageError(
+        fmt::format("{}: this is the record of {}, and that of {} would replace it: rename one of "
+                    "them, give another folder with --out, or remove this one.",
+                    displayPath(folderOf(name)), *other, source));
 }
 
 void ClassFolder::put(const Judged& judged) const {

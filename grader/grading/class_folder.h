@@ -57,8 +57,11 @@ class ClassFolder {
   std::filesystem::path scratch(const std::string& name) const;
   void removeScratch(const std::string& name) const;
 
-  // Throws UsageError if there is a record of that name whose source is another one that is still
-  // there. One that is gone has been handed in anew, or moved.
+  // The source of the graded record of that name where it is another one that is still there; else
+  // nothing. One that is gone has been handed in anew, or moved.
+  std::optional<std::string> otherSource(const std::string& name, const std::string& source) const;
+
+  // Throws UsageError if there is one.
   void expectNoOther(const std::string& name, const std::string& source) const;
 
   // Replaces what there is of this submission. Throws as expectNoOther, or ImageError or

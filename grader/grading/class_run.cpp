@@ -1,6 +1,7 @@
 #include "grading/class_run.h"
 
 #include "grading/build_record.h"
+#include "submission/names.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
 
 namespace pathmark::grading {
@@ -23,8 +25,8 @@ using record::SubmissionRecord;
 using submission::Submission;
 
 // As it stands in records.
-std::string sourceOf(const Submission& submission) {
-  return fs::absolute(submission.source).lexically_normal().string();
+std::string sourceOf(const fs::path& source) {
+  return fs::absolute(source).lexically_normal().string();
 }
 
 // How far all are together. Safe to use from several threads.
@@ -73,38 +75,60 @@ class Pace {
 
 class ClassRun {
  public:
-  ClassRun(const std::vector<Submission>& submissions, const ClassFolder& folder,
+  ClassRun(const submission::FoundSubmissions& found, const ClassFolder& folder,
            std::shared_ptr<Confinement> confinement, const ClassRunOptions& options,
            const ClassEvents& events)
-      : submissions_(submissions),
+      : submissions_(found.submissions),
+        leftOut_(found.leftOut),
         folder_(folder),
         confinement_(std::move(confinement)),
         options_(options),
         build_(thisBuild(confinement_ ? confinement_->name() : "none")),
-        graded_(submissions.size()),
-        pace_(submissions.size(), events) {}
+        graded_(found.submissions.size()),
+        pace_(found.submissions.size(), events) {}
 
   std::vector<std::string> run() {
     // Before hours of work whose records could not be kept.
     for (const Submission& submission : submissions_)
-      folder_.expectNoOther(submission.name, sourceOf(submission));
+      folder_.expectNoOther(submission.name, sourceOf(submission.source));
+    std::map<std::string, std::string> sources = recordLeftOut();
     std::vector<std::thread> others;
     for (unsigned k = 1; k < options_.jobs; ++k) others.emplace_back([this] { work(); });
     work();
     for (std::thread& other : others) other.join();
     if (error_) std::rethrow_exception(error_);
     std::vector<std::string> names;
-    std::map<std::string, std::string> sources;
     for (std::size_t i = 0; i < submissions_.size(); ++i) {
       if (!graded_[i]) continue;
       names.push_back(submissions_[i].name);
-      sources.emplace(sourceOf(submissions_[i]), submissions_[i].name);
+      sources.emplace(sourceOf(submissions_[i].source), submissions_[i].name);
     }
     folder_.removeRenamed(sources);
     return names;
   }
 
  private:
+  // By their sources the names of their records: that of a graded one gives no way.
+  std::map<std::string, std::string> recordLeftOut() {
+    submission::UniqueNames names;
+    for (const Submission& submission : submissions_) names.unique(submission.name);
+    std::map<std::string, std::string> sources;
+    for (const submission::LeftOut& one : leftOut_) {
+      const std::string source = sourceOf(one.source);
+      std::string name = names.unique(one.name);
+      while (folder_.otherSource(name, source)) name = names.unique(one.name);
+      Judged nothing;
+      nothing.record.name = name;
+      nothing.record.source = source;
+      nothing.record.seed = folder_.seed();
+      nothing.record.build = build_;
+      nothing.record.leftOut = one.reason;
+      folder_.put(nothing);
+      sources.emplace(source, name);
+    }
+    return sources;
+  }
+
   void work() {
     try {
       for (std::size_t i = 0; (i = next_++) < submissions_.size() && !stopped();) gradeOne(i);
@@ -123,26 +147,32 @@ class ClassRun {
   bool isSame(const SubmissionRecord& known, const submission::Collected& collected) const {
     return known.contents == collected.contents && known.seed == folder_.seed() &&
            known.build.program == build_.program && known.build.flags == build_.flags &&
-           known.build.compiler == build_.compiler && !known.internalError();
+           known.build.compiler == build_.compiler && known.hasMarks();
   }
 
   void gradeOne(std::size_t i) {
     const Submission& submission = submissions_[i];
     const std::string& name = submission.name;
-    const submission::Collected collected = submission::collect(submission);
+    const submission::Collected collected = submission::collect(
+        submission, {},
+        folder_.whole() ? std::span<const int>() : std::span<const int>(folder_.parts()));
     if (const auto known = folder_.find(name); known && isSame(*known, collected)) {
       graded_[i] = true;
       pace_.done(i, *known, true);
       return;
     }
-    Judged judged = tryTwice(i, name, collected);
+    Judged judged;
     SubmissionRecord& record = judged.record;
+    if (collected.failure.empty()) {
+      judged = tryTwice(i, name, collected);
+    } else {
+      record.leftOut = collected.failure;
+    }
     record.name = name;
-    record.source = sourceOf(submission);
+    record.source = sourceOf(submission.source);
     record.contents = collected.contents;
     record.collecting = collected.remarks;
-    if (!collected.failure.empty())
-      record.collecting.insert(record.collecting.begin(), collected.failure);
+    record.refusedScenes = collected.refusedScenes;
     record.seed = folder_.seed();
     record.build = build_;
     folder_.put(judged);
@@ -190,6 +220,7 @@ class ClassRun {
   }
 
   const std::vector<Submission>& submissions_;
+  const std::vector<submission::LeftOut>& leftOut_;
   const ClassFolder& folder_;
   std::shared_ptr<Confinement> confinement_;
   ClassRunOptions options_;
@@ -205,11 +236,11 @@ class ClassRun {
 
 }  // namespace
 
-std::vector<std::string> gradeClass(const std::vector<Submission>& submissions,
+std::vector<std::string> gradeClass(const submission::FoundSubmissions& found,
                                     const ClassFolder& folder,
                                     std::shared_ptr<Confinement> confinement,
                                     const ClassRunOptions& options, const ClassEvents& events) {
-  return ClassRun(submissions, folder, std::move(confinement), options, events).run();
+  return ClassRun(found, folder, std::move(confinement), options, events).run();
 }
 
 }  // namespace pathmark::grading

@@ -40,7 +40,10 @@ ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubri
     auto record = folder.find(name);
     if (!record) {
       unreadable.push_back(name);
-      continue;
+      record.emplace();
+      record->name = name;
+      record->seed = folder.seed();
+      record->leftOut = "Its record is damaged, or of another version: grade it again.";
     }
     marks.push_back(rubric::markSubmission(*record, rubric));
     records.push_back(std::move(*record));

@@ -25,7 +25,7 @@ class ClassReports {
   const std::vector<record::SubmissionRecord>& records() const { return records_; }
   const std::vector<rubric::Marks>& marks() const { return marks_; }
 
-  // Names of submissions whose records are damaged: they are in none of the reports.
+  // Names of submissions whose records are damaged: they have no marks.
   const std::vector<std::string>& unreadable() const { return unreadable_; }
 
  private:

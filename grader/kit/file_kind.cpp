@@ -1,5 +1,7 @@
 #include "kit/file_kind.h"
 
+#include "scene/utf8.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -13,29 +15,15 @@ std::uint32_t byteAt(std::string_view content, std::size_t k) {
   return static_cast<unsigned char>(content[k]);
 }
 
-bool isControl(std::uint32_t byte) {
-  return byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r';
-}
-
-// The length of the UTF-8 character at k; 0 if there is none. RFC 3629, section 4.
-std::size_t characterAt(std::string_view content, std::size_t k) {
-  const std::uint32_t first = byteAt(content, k);
-  if (first < 0x80) return isControl(first) || first == 0x7f ? 0 : 1;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || k + length > content.size()) return 0;
-  for (std::size_t n = 1; n < length; ++n)
-    if ((byteAt(content, k + n) & 0xc0u) != 0x80u) return 0;
-  const std::uint32_t second = byteAt(content, k + 1);
-  const bool outOfRange = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-                          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
-  return outOfRange ? 0 : length;
+bool isControl(char32_t code) {
+  return code == 0x7f || (code < 0x20 && code != '\t' && code != '\n' && code != '\r');
 }
 
 bool isText(std::string_view content) {
-  for (std::size_t k = 0; k < content.size();) {
-    const std::size_t length = characterAt(content, k);
-    if (length == 0) return false;
-    k += length;
+  while (!content.empty()) {
+    const Utf8Character first = firstCharacter(content);
+    if (first.bytes == 0 || isControl(first.code)) return false;
+    content.remove_prefix(first.bytes);
   }
   return true;
 }

@@ -14,7 +14,7 @@ inline constexpr int kScenesPart = 7, kLastPart = 9;
 inline constexpr int kNothingReleased = -1;
 
 struct KitFile {
-  std::string from;  // relative to the project
+  std::string from;  // relative to the project; a chapter goes through forStudents
   std::string name;  // relative to the kit
   FileKind kind = FileKind::kText;
 };

@@ -2,10 +2,14 @@
 
 #include "host/display_path.h"
 #include "host/session.h"
+#include "kit/for_students.h"
+#include "kit/project_files.h"
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 namespace pathmark::kit {
@@ -63,12 +67,22 @@ void refuseWhatIsThere(const KitPlan& plan, const fs::path& destination) {
                                  displayPath(destination)));
 }
 
+void put(const KitPlan& plan, const KitFile& file, const fs::path& to) {
+  fs::create_directories(to.parent_path());
+  fs::copy_file(plan.project / file.from, to);
+  if (to.extension() != ".md") return;
+  const std::string whole = readFile(to), kept = forStudents(whole);
+  if (kept == whole) return;
+  std::ofstream out(to, std::ios::binary | std::ios::trunc);
+  out << kept;
+  out.close();
+  if (!out) throw std::runtime_error(fmt::format("{} cannot be written.", displayPath(to)));
+}
+
 WrittenKit writeAndInspect(const KitPlan& plan, const fs::path& destination, const GoOn& goOn) {
   UnfinishedFolder folder(unfinishedFolder(destination));
   for (const KitFile& file : plan.files) {
-    const fs::path to = folder.path() / file.name;
-    fs::create_directories(to.parent_path());
-    fs::copy_file(plan.project / file.from, to);
+    put(plan, file, folder.path() / file.name);
     if (!goOn()) return {};
   }
   WrittenKit written{.outcome = KitOutcome::kRefused,

@@ -168,24 +168,29 @@ struct BuildRecord {
 };
 
 struct SubmissionRecord {
-  static constexpr int kFormat = 3;
+  static constexpr int kFormat = 4;
 
   std::string name;      // unique in a class
   std::string source;    // the folder or archive, as it was given
   std::string contents;  // hash of the files that were taken
   std::uint64_t seed = 0;
   BuildRecord build;
-  std::vector<std::string> collecting;  // what was refused, renamed or missing: sentences
+  std::vector<std::string> collecting;     // what was refused, renamed or missing: sentences
+  std::vector<std::string> refusedScenes;  // those of them that are about scenes
   std::vector<PartRecord> parts;
   std::vector<CheckRecord> images;  // of the whole coursework
   std::vector<SceneRecord> scenes;
   std::vector<PictureRecord> pictures;  // as submitted
   std::vector<SampleRecord> samples;
   std::string printed;  // the beginning of what the coursework printed
+  std::string leftOut;  // why there was nothing to grade: a sentence; there is nothing else then
   std::string failure;  // of the grader or the machine: a sentence; the record is not complete then
   double seconds = 0.0;
 
   bool internalError() const { return !failure.empty(); }
+
+  // Without them there is a sentence in `leftOut` or `failure`: no marks are not 0.
+  bool hasMarks() const { return leftOut.empty() && failure.empty(); }
 };
 
 }  // namespace pathmark::record

@@ -182,12 +182,14 @@ void visit(Visitor& v, T& r) requires std::same_as<std::remove_const_t<T>, Submi
   v("seed", r.seed);
   v("build", r.build);
   v("collecting", r.collecting);
+  v("refusedScenes", r.refusedScenes);
   v("parts", r.parts);
   v("images", r.images);
   v("scenes", r.scenes);
   v("pictures", r.pictures);
   v("samples", r.samples);
   v("printed", r.printed);
+  v("leftOut", r.leftOut);
   v("failure", r.failure);
   v("seconds", r.seconds);
 }

@@ -22,12 +22,6 @@ constexpr int kThumbnail = 72;  // pixels
 
 std::string linkOf(const Graded& graded) { return escapedUrl(graded.folder + "/report.html"); }
 
-double largestTotal(GradedClass graded) {
-  double outOf = 0.0;
-  for (const Graded& g : graded) outOf = std::max(outOf, g.marks->outOf);
-  return outOf;
-}
-
 // The first picture of the whole, or else of a part.
 Markup smallPicture(const Graded& graded) {
   std::vector<const PictureRecord*> pictures;
@@ -50,14 +44,17 @@ Markup pointsCell(const rubric::PartMarks* marks, bool complete) {
 }
 
 Markup wordsOf(const Graded& graded) {
+  const record::SubmissionRecord& record = *graded.record;
+  const std::vector<std::string> sentences =
+      record.leftOut.empty() ? whatIsWrong(record)
+                             : std::vector{fmt::format("not graded: {}", record.leftOut)};
   Markup words;
-  for (const std::string& sentence : whatIsWrong(*graded.record))
-    words += markup("<li>{}</li>", sentence);
+  for (const std::string& sentence : sentences) words += markup("<li>{}</li>", sentence);
   return words.html.empty() ? words : markup("<ul class=\"words\">{}</ul>", words);
 }
 
 Markup submissionRow(const Graded& graded, const std::vector<ClassPart>& parts) {
-  const bool complete = !graded.record->internalError();
+  const bool complete = graded.record->hasMarks();
   Markup cells;
   for (const ClassPart& part : parts) cells += pointsCell(marksOf(graded, part.part), complete);
   const rubric::PartMarks total{0, "", graded.marks->points, graded.marks->outOf, {}};
@@ -111,7 +108,7 @@ struct Remark {
   std::vector<const Graded*> submissions;
 };
 
-// After an internal error nothing else is said of a submission: it would follow from that.
+// Of a submission without marks nothing else is said: it would follow from that.
 std::vector<Remark> remarksOf(GradedClass graded) {
   std::vector<Remark> remarks;
   const auto add = [&](const Graded& g, const std::string& sentence) {
@@ -121,11 +118,10 @@ std::vector<Remark> remarksOf(GradedClass graded) {
     found->submissions.push_back(&g);
   };
   for (const Graded& g : graded)
-    if (g.record->internalError())
-      add(g, fmt::format("could not be graded: {}", g.record->failure));
+    if (!g.record->hasMarks()) add(g, whyNoMarks(*g.record));
   for (const Graded& g : graded)
     for (const std::string& sentence : g.marks->toReview)
-      if (!g.record->internalError()) add(g, sentence);
+      if (g.record->hasMarks()) add(g, sentence);
   return remarks;
 }
 
@@ -151,9 +147,11 @@ Markup toLookAt(GradedClass graded) {
 Markup headline(GradedClass graded) {
   const std::vector<double> totals = totalsOf(graded);
   const std::size_t failed = graded.size() - totals.size();
-  std::string sentence = fmt::format("Mean {:.1f} and median {:.1f} of {} points.", meanOf(totals),
-                                     medianOf(totals), pointsText(largestTotal(graded)));
-  if (failed > 0) sentence += fmt::format(" {} could not be graded.", failed);
+  std::string sentence;
+  if (!totals.empty())
+    sentence = fmt::format("Mean {:.1f} and median {:.1f} of {} points.", meanOf(totals),
+                           medianOf(totals), pointsText(largestTotal(graded)));
+  if (failed > 0) sentence += fmt::format(" {} {} no marks.", failed, failed == 1 ? "has" : "have");
   return markup(
       "<header class=\"top\">\n<p class=\"kicker\">Pathmark report</p>\n<h1>Class</h1>\n"
       "<p class=\"score\"><strong>{}</strong> {}</p>\n<p>{}</p>\n</header>\n",

@@ -25,17 +25,23 @@ const rubric::PartMarks* marksOf(const Graded& graded, int part) {
   return nullptr;
 }
 
+double largestTotal(GradedClass graded) {
+  double outOf = 0.0;
+  for (const Graded& g : graded) outOf = std::max(outOf, g.marks->outOf);
+  return outOf;
+}
+
 std::vector<double> totalsOf(GradedClass graded) {
   std::vector<double> totals;
   for (const Graded& g : graded)
-    if (!g.record->internalError()) totals.push_back(g.marks->points);
+    if (g.record->hasMarks()) totals.push_back(g.marks->points);
   return totals;
 }
 
 std::vector<double> pointsOfPart(GradedClass graded, int part) {
   std::vector<double> points;
   for (const Graded& g : graded)
-    if (const rubric::PartMarks* marks = marksOf(g, part); marks && !g.record->internalError())
+    if (const rubric::PartMarks* marks = marksOf(g, part); marks && g.record->hasMarks())
       points.push_back(marks->points);
   return points;
 }

@@ -2,6 +2,7 @@
 //
 //   partsOf      the parts that have marks in any of the submissions
 //   marksOf      of one part of one submission; null if there are none
+//   largestTotal   what the marks are out of
 //   totalsOf, pointsOfPart   of every submission that was graded
 //   meanOf, medianOf
 #pragma once
@@ -22,7 +23,10 @@ std::vector<ClassPart> partsOf(GradedClass graded);
 
 const rubric::PartMarks* marksOf(const Graded& graded, int part);
 
-// Totals of all submissions whose record is complete: an internal error is nobody's mark.
+// The most of any submission: one that was not graded is out of nothing.
+double largestTotal(GradedClass graded);
+
+// Totals of all submissions that have marks: no marks are not 0.
 std::vector<double> totalsOf(GradedClass graded);
 std::vector<double> pointsOfPart(GradedClass graded, int part);
 

@@ -44,7 +44,7 @@ std::string_view colourOf(double points, double outOf) {
 
 Row rowOf(const Graded& graded, const std::vector<ClassPart>& parts) {
   Row row{.name = {cleanLine(graded.record->name)}, .numbers = {}, .words = {}};
-  const bool complete = !graded.record->internalError();
+  const bool complete = graded.record->hasMarks();
   for (const ClassPart& part : parts) {
     const rubric::PartMarks* marks = marksOf(graded, part.part);
     if (marks == nullptr || !complete)
@@ -69,18 +69,19 @@ Row heading(const std::vector<ClassPart>& parts) {
 
 Row maxima(GradedClass graded, const std::vector<ClassPart>& parts) {
   Row row{.name = {"out of", kDim}, .numbers = {}, .words = {}};
-  double outOf = 0.0;
-  for (const Graded& g : graded) outOf = std::max(outOf, g.marks->outOf);
   for (const ClassPart& part : parts) row.numbers.push_back({pointsText(part.outOf), kDim});
-  row.numbers.push_back({pointsText(outOf), kDim});
+  row.numbers.push_back({pointsText(largestTotal(graded)), kDim});
   return row;
 }
 
 Row means(GradedClass graded, const std::vector<ClassPart>& parts) {
   Row row{.name = {"mean", kDim}, .numbers = {}, .words = {}};
-  const auto add = [&](double mean) { row.numbers.push_back({fmt::format("{:.1f}", mean), kDim}); };
-  for (const ClassPart& part : parts) add(meanOf(pointsOfPart(graded, part.part)));
-  add(meanOf(totalsOf(graded)));
+  const auto add = [&](const std::vector<double>& points) {
+    row.numbers.push_back(
+        {points.empty() ? std::string("-") : fmt::format("{:.1f}", meanOf(points)), kDim});
+  };
+  for (const ClassPart& part : parts) add(pointsOfPart(graded, part.part));
+  add(totalsOf(graded));
   return row;
 }
 

@@ -1,5 +1,7 @@
 #include "report/clean_text.h"
 
+#include "scene/utf8.h"
+
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -16,23 +18,10 @@ struct Decoded {
   std::size_t bytes = 1;
 };
 
-// The first character. What is not well-formed (Unicode, table 3-7: overlong, surrogate, beyond
-// U+10FFFF, cut off) is one byte of U+FFFD.
+// The first character. Each byte of what is not well-formed is one U+FFFD.
 Decoded firstOf(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {};
-  char32_t character = lead & (0xFFu >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {};
-    character = (character << 6) | (byte(i) & 0x3Fu);
-  }
-  constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = character >= 0xD800 && character <= 0xDFFF;
-  if (character < kLeast[length] || character > 0x10FFFF || surrogate) return {};
-  return {character, length};
+  const Utf8Character first = firstCharacter(text);
+  return first.bytes == 0 ? Decoded{} : Decoded{first.code, first.bytes};
 }
 
 void append(std::string& text, char32_t c) {
@@ -105,9 +94,8 @@ std::string cleanLine(std::string_view bytes) {
 
 std::string cutAfter(std::string_view clean, std::size_t bytes) {
   if (clean.size() <= bytes) return std::string(clean);
-  std::size_t end = bytes;
-  while (end > 0 && (static_cast<unsigned char>(clean[end]) & 0xC0) == 0x80) --end;
-  return fmt::format("{}\n... and {} more bytes", clean.substr(0, end), clean.size() - end);
+  const std::string_view kept = cutAtCharacter(clean, bytes);
+  return fmt::format("{}\n... and {} more bytes", kept, clean.size() - kept.size());
 }
 
 std::size_t columnsOf(std::string_view clean) {

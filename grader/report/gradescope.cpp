@@ -56,8 +56,11 @@ std::string summary(const SubmissionRecord& record) {
   if (record.internalError())
     text += fmt::format("This submission could not be graded; that is no fault of it. {}\n",
                         record.failure);
+  if (!record.leftOut.empty())
+    text += fmt::format("This submission was not graded, and has no marks. {}\n", record.leftOut);
   for (const std::string& sentence : record.collecting) text += sentence + "\n";
-  for (const std::string& sentence : whatIsWrong(record)) text += sentence + "\n";
+  if (record.leftOut.empty())
+    for (const std::string& sentence : whatIsWrong(record)) text += sentence + "\n";
   return cutAfter(cleanText(text), kLongestOutput);
 }
 
@@ -68,15 +71,21 @@ std::string gradescopeJson(const SubmissionRecord& record, const rubric::Marks& 
             {"output", summary(record)}, {"output_format", "text"},
             {"visibility", "visible"},   {"stdout_visibility", "hidden"},
             {"tests", Json::array()}};
+  // Without a score Gradescope shows no mark, and 0 is one.
+  if (!record.leftOut.empty()) json.erase("score");
   for (const rubric::PartMarks& part : marks.parts)
     for (std::size_t i = 0; i < part.lines.size(); ++i)
       json["tests"].push_back(testOf(record, part, i));
-  json["extra_data"] =
-      Json{{"submission", cleanLine(record.name)},      {"contents", record.contents},
-           {"seed", fmt::format("{}", record.seed)},    {"out_of", marks.outOf},
-           {"complete", !record.internalError()},       {"grader", record.build.program},
-           {"compiler", record.build.compiler},         {"flags", record.build.flags},
-           {"instructions", record.build.instructions}, {"sandbox", record.build.sandbox}};
+  json["extra_data"] = Json{{"submission", cleanLine(record.name)},
+                            {"contents", record.contents},
+                            {"seed", fmt::format("{}", record.seed)},
+                            {"out_of", marks.outOf},
+                            {"complete", record.hasMarks()},
+                            {"grader", record.build.program},
+                            {"compiler", record.build.compiler},
+                            {"flags", record.build.flags},
+                            {"instructions", record.build.instructions},
+                            {"sandbox", record.build.sandbox}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -23,6 +23,7 @@ struct Case {
   Verdict verdict = Verdict::kOk;
   std::string message, text;
   double seconds = 0.0;
+  std::string_view type{};  // in place of the verdict's name
 };
 
 struct Suite {
@@ -73,6 +74,10 @@ std::vector<Suite> suitesOf(const SubmissionRecord& record) {
   std::vector<Suite> suites;
   if (record.internalError())
     suites.push_back({"grading", {{"complete", Verdict::kInternalError, record.failure, "", 0.0}}});
+  if (!record.leftOut.empty())
+    suites.push_back(
+        {"grading",
+         {{"complete", Verdict::kInternalError, record.leftOut, "", 0.0, "not graded"}}});
   for (const PartRecord& part : record.parts) suites.push_back(suiteOf(part));
   Suite images{"images", {}}, scenes{"part 7", {}};
   for (const CheckRecord& check : record.images) images.cases.push_back(caseOf(check));
@@ -86,15 +91,14 @@ std::vector<Suite> suitesOf(const SubmissionRecord& record) {
 Markup detail(const Case& c) {
   const std::string text = cutAfter(cleanText(c.text), kLongestText);
   const std::string message = cutAfter(cleanLine(c.message), kLongestText);
+  const std::string_view type = c.type.empty() ? nameOf(c.verdict) : c.type;
   switch (outcomeOf(c.verdict)) {
     case Outcome::kFailure:
-      return markup("<failure message=\"{}\" type=\"{}\">{}</failure>", message, nameOf(c.verdict),
-                    text);
+      return markup("<failure message=\"{}\" type=\"{}\">{}</failure>", message, type, text);
     case Outcome::kError:
-      return markup("<error message=\"{}\" type=\"{}\">{}</error>", message, nameOf(c.verdict),
-                    text);
+      return markup("<error message=\"{}\" type=\"{}\">{}</error>", message, type, text);
     case Outcome::kSkipped:
-      return markup("<skipped message=\"{}\"/>", fmt::format("{}: {}", nameOf(c.verdict), message));
+      return markup("<skipped message=\"{}\"/>", fmt::format("{}: {}", type, message));
     case Outcome::kPassed:
       break;
   }

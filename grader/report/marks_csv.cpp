@@ -39,16 +39,19 @@ std::string namesLine(const std::vector<ClassPart>& parts) {
 std::string remarksOf(const Graded& graded) {
   std::vector<std::string> remarks;
   if (graded.record->internalError()) remarks.push_back(graded.record->failure);
+  if (!graded.record->leftOut.empty())
+    remarks.push_back(fmt::format("No marks: {}", graded.record->leftOut));
   for (const std::string& sentence : graded.marks->toReview) remarks.push_back(sentence);
   for (const std::string& sentence : graded.record->collecting) remarks.push_back(sentence);
   return fmt::format("{}", fmt::join(remarks, " "));
 }
 
-std::string submissionLine(const Graded& graded, const std::vector<ClassPart>& parts) {
-  const bool complete = !graded.record->internalError();
+std::string submissionLine(const Graded& graded, const std::vector<ClassPart>& parts,
+                           double outOf) {
+  const bool complete = graded.record->hasMarks();
   const auto number = [&](double points) { return complete ? pointsText(points) : std::string(); };
   std::vector<std::string> cells{csvCell(graded.record->name), number(graded.marks->points),
-                                 pointsText(graded.marks->outOf)};
+                                 pointsText(complete ? graded.marks->outOf : outOf)};
   for (const ClassPart& part : parts) {
     const rubric::PartMarks* marks = marksOf(graded, part.part);
     const std::optional<record::Verdict> verdict = verdictOfPart(*graded.record, part.part);
@@ -77,7 +80,7 @@ std::string csvCell(std::string_view text) {
 std::string marksCsv(GradedClass graded) {
   const std::vector<ClassPart> parts = partsOf(graded);
   std::string csv = namesLine(parts);
-  for (const Graded& g : graded) csv += submissionLine(g, parts);
+  for (const Graded& g : graded) csv += submissionLine(g, parts, largestTotal(graded));
   return csv;
 }
 

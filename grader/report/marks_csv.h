@@ -13,8 +13,8 @@ namespace pathmark::report {
 std::string csvCell(std::string_view text);
 
 // With a line of names: name, total, out of; points, out of and verdict of each part; seed,
-// remarks. Lines end with CR LF. A submission that could not be graded has no points: 0 would be a
-// mark.
+// remarks. Lines end with CR LF. A submission that was left out, or could not be graded, has no
+// points, and its remarks say why: 0 would be a mark.
 std::string marksCsv(GradedClass graded);
 
 }  // namespace pathmark::report

@@ -43,6 +43,11 @@ std::string_view wordsOf(Verdict verdict, bool several) {
 
 }  // namespace
 
+std::string whyNoMarks(const SubmissionRecord& record) {
+  if (record.internalError()) return fmt::format("could not be graded: {}", record.failure);
+  return record.leftOut.empty() ? std::string() : fmt::format("was not graded: {}", record.leftOut);
+}
+
 std::optional<Verdict> verdictOfPart(const SubmissionRecord& record, int part) {
   if (part == kScenesPart) return bestVerdict(record.scenes);
   if (part == kWhole) return worstVerdict(record.images);
@@ -61,6 +66,7 @@ bool isFault(Verdict verdict) {
 
 std::vector<std::string> whatIsWrong(const SubmissionRecord& record) {
   if (record.internalError()) return {"internal error"};
+  if (!record.leftOut.empty()) return {"not graded"};
   std::vector<std::string> sentences;
   std::vector<std::pair<Verdict, std::vector<int>>> groups;
   for (int part = 0; part <= kWhole; ++part) {

@@ -1,5 +1,6 @@
 // Words for what is in a record; they are the same in every report.
 //
+//   whyNoMarks       "was not graded: ..."
 //   verdictOfPart    of parts 0 to 7, or of the whole as submitted
 //   partName         "part 3", "whole"
 //   isFault          whether a verdict says that something is wrong with the coursework
@@ -24,6 +25,9 @@ namespace pathmark::report {
 
 inline constexpr int kScenesPart = 7, kWhole = 10;
 
+// What to say after its name; empty if it has marks.
+std::string whyNoMarks(const record::SubmissionRecord& record);
+
 // The worst of the whole, the best of the scenes: one good scene is enough. Nothing if the record
 // does not say.
 std::optional<record::Verdict> verdictOfPart(const record::SubmissionRecord& record, int part);
@@ -34,7 +38,7 @@ std::string partName(int part);
 bool isFault(record::Verdict verdict);
 
 // "part 4 does not compile", "parts 2 and 3 wrong"; what is only blocked is left out. After an
-// internal error nothing else is known.
+// internal error, or where nothing was graded, nothing else is known.
 std::vector<std::string> whatIsWrong(const record::SubmissionRecord& record);
 
 // Null if there are none.

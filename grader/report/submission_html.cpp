@@ -85,6 +85,12 @@ Markup headline(const SubmissionRecord& record, const rubric::Marks& marks,
         "<p class=\"banner\"><strong>! Not graded to the end.</strong> That is no fault of this "
         "submission: {}</p>\n</header>\n",
         record.name, record.failure);
+  if (!record.leftOut.empty())
+    return markup(
+        "<header class=\"top\">\n<p class=\"kicker\">Pathmark report</p>\n<h1>{}</h1>\n"
+        "<p class=\"banner\"><strong>! Not graded.</strong> There are no marks, which are not 0: "
+        "{}</p>\n</header>\n",
+        record.name, record.leftOut);
   return markup(
       "<header class=\"top\">\n<p class=\"kicker\">Pathmark report</p>\n<h1>{}</h1>\n"
       "<p class=\"score\"><strong>{}</strong> of {} points</p>\n{}\n<p>{}</p>\n{}</header>\n",
@@ -160,7 +166,7 @@ std::string submissionHtml(const SubmissionRecord& record, const rubric::Marks& 
   for (const PartView& view : views) body += partHtml(view, record, pictures);
   body += collecting(record);
   body += printed(record);
-  body += howItWasMade(record);
+  if (record.leftOut.empty()) body += howItWasMade(record);
   body += Markup{"</main>"};
   return page(fmt::format("{} \u2013 Pathmark", record.name), body,
               {assets::kPictureSliderJs, assets::kPictureSliderJsSha256});

@@ -149,7 +149,7 @@ void reviewEfficiency(const record::PartRecord& part, const Rubric& rubric,
 
 // Whether all parts were looked at, so that what is not there was not handed in.
 bool isComplete(const record::SubmissionRecord& record) {
-  if (record.internalError()) return false;
+  if (!record.hasMarks()) return false;
   return std::all_of(parts().begin(), parts().end(), [&](const PartContract& part) {
     return part.bonus || std::any_of(record.parts.begin(), record.parts.end(),
                                      [&](const auto& seen) { return seen.part == part.part; });
@@ -180,17 +180,9 @@ std::vector<MarkLine> markPart(const record::PartRecord& part, const PartRubric&
 
 namespace {
 
-// "scenes/a.json was refused: ...", wherever the submission has its scenes/.
-bool isOfARefusedScene(const std::string& remark) {
-  const std::size_t end = remark.find(" was refused: ");
-  return end != std::string::npos && remark.substr(0, end).find(".json") != std::string::npos &&
-         remark.substr(0, end).find("cenes/") != std::string::npos;
-}
-
 std::string whyThereIsNoScene(const record::SubmissionRecord& record) {
-  const auto refused =
-      std::find_if(record.collecting.begin(), record.collecting.end(), isOfARefusedScene);
-  return refused == record.collecting.end() ? "There is no scene in scenes/." : *refused;
+  return record.refusedScenes.empty() ? "There is no scene in scenes/."
+                                      : record.refusedScenes.front();
 }
 
 }  // namespace

@@ -16,16 +16,16 @@ namespace {
 
 Collected nothing(const std::string& why) {
   Collected collected;
-  collected.failure = fmt::format("Nothing was taken: {}.", why);
+  collected.failure = fmt::format("Nothing was taken: {}{}", why, why.ends_with('?') ? "" : ".");
   collected.contents = Sorter({}).finish().contents;
   return collected;
 }
 
 }  // namespace
 
-Collected collect(const Submission& submission, const Limits& limits) {
+Collected collect(const Submission& submission, const Limits& limits, std::span<const int> only) {
   try {
-    Sorter sorter(limits);
+    Sorter sorter(limits, only);
     const auto take = [&](const Entry& entry, const ReadEntry& read) { sorter.take(entry, read); };
     if (submission.isArchive) {
       readArchive(submission.source, limits, take);

@@ -1,6 +1,6 @@
 #include "submission/entry.h"
 
-#include "submission/utf8.h"
+#include "scene/utf8.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 bool isUtf8(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t bytes = firstOf(text).bytes;
+    const std::size_t bytes = firstCharacter(text).bytes;
     if (bytes == 0) return false;
     text.remove_prefix(bytes);
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -20,6 +21,9 @@ namespace {
 
 constexpr int kMostWrappers = 8;
 constexpr std::size_t kMostEntries = 10'000;
+
+constexpr std::size_t kLongestShown = 300;
+constexpr const char* kUnreadable = "it cannot be read";
 
 bool isHidden(const std::string& name) { return name.starts_with('.') || name == "__MACOSX"; }
 
@@ -61,7 +65,24 @@ std::string nameOf(const fs::path& source, bool archive) {
   return safeName(archive ? archiveStem(name).value_or(name) : name);
 }
 
-std::string quoted(const fs::path& path) { return inQuotes(path.string()); }
+// Of what cannot be graded: "bob" for "bob.7z" too, but not for a folder "bob.7".
+std::string nameOfLeftOut(const fs::path& source) {
+  std::error_code ignored;
+  const bool isFolder = fs::symlink_status(source, ignored).type() == fs::file_type::directory;
+  const std::string stem = source.stem().string();
+  return isFolder || stem.empty()
+             ? nameOf(source, false)
+             : safeName(archiveStem(source.filename().string()).value_or(stem));
+}
+
+// Of submissions, or of what is left out.
+struct ByName {
+  template <class T>
+  bool operator()(const T& a, const T& b) const {
+    return a.name != b.name ? naturalLess(a.name, b.name)
+                            : naturalLess(a.source.string(), b.source.string());
+  }
+};
 
 class Finder {
  public:
@@ -81,15 +102,15 @@ class Finder {
 
   FoundSubmissions finish() {
     auto& all = found_.submissions;
-    std::sort(all.begin(), all.end(), [](const Submission& a, const Submission& b) {
-      return a.name != b.name ? naturalLess(a.name, b.name)
-                              : naturalLess(a.source.string(), b.source.string());
-    });
+    std::sort(all.begin(), all.end(), ByName{});
     UniqueNames names;
     for (Submission& one : all) one.name = names.unique(one.name);
     // -2 may have moved behind another's name.
-    std::sort(all.begin(), all.end(),
-              [](const Submission& a, const Submission& b) { return naturalLess(a.name, b.name); });
+    std::sort(all.begin(), all.end(), ByName{});
+    // Behind all submissions, whose names do not depend on what lies beside them.
+    std::sort(found_.leftOut.begin(), found_.leftOut.end(), ByName{});
+    for (LeftOut& one : found_.leftOut) one.name = names.unique(one.name);
+    std::sort(found_.leftOut.begin(), found_.leftOut.end(), ByName{});
     return std::move(found_);
   }
 
@@ -98,9 +119,16 @@ class Finder {
     if (sources_.insert(source).second) found_.submissions.push_back({name, source, archive});
   }
 
+  void leaveOut(const fs::path& path, std::string why) {
+    if (!sources_.insert(path).second) return;
+    found_.remarks.push_back(
+        fmt::format("\"{}\" was left out: {}.", shown(path.string(), kLongestShown), why));
+    why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
+    found_.leftOut.push_back({nameOfLeftOut(path), path, fmt::format("{}.", why)});
+  }
+
   void refuse(const fs::path& path) {
-    found_.remarks.push_back(fmt::format(
-        "{} was left out: a submission is a folder with part*.cpp, a zip or a tar.", quoted(path)));
+    leaveOut(path, "a submission is a folder with part*.cpp, a zip or a tar");
   }
 
   void file(const fs::path& path) {
@@ -116,7 +144,7 @@ class Finder {
   void folder(const fs::path& path) {
     const std::optional<FolderReader> reader = FolderReader::open(path);
     if (!reader) {
-      found_.remarks.push_back(fmt::format("{} was left out: it cannot be read.", quoted(path)));
+      leaveOut(path, kUnreadable);
     } else if (isSubmission(*reader, onlyOnePath_ ? kMostWrappers : 0)) {
       add(path, nameOf(path, false), false);
     } else {
@@ -125,13 +153,19 @@ class Finder {
   }
 
   void classFolder(const fs::path& path, const FolderReader& reader) {
-    const std::size_t before = found_.submissions.size() + found_.remarks.size();
-    for (const FolderEntry& entry : reader.list(kMostEntries)) {
+    const std::vector<FolderEntry> entries = reader.list(kMostEntries);
+    const bool onlyFiles =
+        std::all_of(entries.begin(), entries.end(), [&](const FolderEntry& entry) {
+          return isHidden(entry.name) ||
+                 (entry.kind == EntryKind::kFile && !isArchive(reader, entry));
+        });
+    // Somebody's whose files have other names, rather than a class of theirs.
+    if (onlyFiles) return leaveOut(path, "there is no submission in it");
+    for (const FolderEntry& entry : entries) {
       const fs::path inside = path / entry.name;
       if (isHidden(entry.name)) continue;
       if (entry.kind == EntryKind::kSymbolicLink) {
-        found_.remarks.push_back(
-            fmt::format("{} was left out: links within a class are not followed.", quoted(inside)));
+        leaveOut(inside, "links within a class are not followed");
       } else if (isArchive(reader, entry)) {
         add(inside, nameOf(inside, true), true);
       } else if (entry.kind == EntryKind::kFolder) {
@@ -140,30 +174,23 @@ class Finder {
         refuse(inside);
       }
     }
-    if (found_.submissions.size() + found_.remarks.size() == before)
-      found_.remarks.push_back(
-          fmt::format("{} was left out: there is no submission in it.", quoted(path)));
   }
 
   // A folder of a class.
   void studentFolder(const fs::path& path, const std::optional<FolderReader>& reader) {
-    if (reader && isSubmission(*reader)) {
-      add(path, nameOf(path, false), false);
-      return;
-    }
+    if (!reader) return leaveOut(path, kUnreadable);
+    if (isSubmission(*reader)) return add(path, nameOf(path, false), false);
     std::vector<fs::path> archives;
-    if (reader)
-      for (const FolderEntry& entry : reader->list(kMostEntries))
-        if (isArchive(*reader, entry)) archives.push_back(path / entry.name);
+    for (const FolderEntry& entry : reader->list(kMostEntries))
+      if (isArchive(*reader, entry)) archives.push_back(path / entry.name);
     if (archives.size() == 1) {
       add(archives.front(), nameOf(path, false), true);
     } else if (archives.empty()) {
       refuse(path);
     } else {
-      found_.remarks.push_back(
-          fmt::format("{} was left out: there are {} archives in it, and which of them counts is "
-                      "not for the grader to say.",
-                      quoted(path), archives.size()));
+      leaveOut(path, fmt::format("there are {} archives in it, and which of them counts is not for "
+                                 "the grader to say",
+                                 archives.size()));
     }
   }
 

@@ -1,6 +1,6 @@
 #include "submission/names.h"
 
-#include "submission/utf8.h"
+#include "scene/utf8.h"
 
 #include <fmt/format.h>
 

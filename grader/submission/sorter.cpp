@@ -2,8 +2,8 @@
 
 #include "host/content_hash.h"
 #include "scene/syntax_sentence.h"
+#include "scene/utf8.h"
 #include "submission/names.h"
-#include "submission/utf8.h"
 #include "worker/contract.h"
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace pathmark::submission {
 
@@ -55,6 +56,19 @@ bool isNearMiss(const std::vector<std::string>& path) {
   const std::string name = lowerCase(path.back());
   return name.starts_with("part") && name.find(".cpp") != std::string::npos &&
          std::none_of(path.begin(), path.end(), isProjectFolder);
+}
+
+// That of "part3.cpp" or "Part3_lambertian (1).cpp"; nothing for "parts.cpp".
+std::optional<int> numberOf(const std::string& nearMiss) {
+  const std::string name = lowerCase(nearMiss.substr(nearMiss.rfind('/') + 1));
+  const std::size_t digit = std::string_view("part").size();
+  if (!name.starts_with("part") || name.size() <= digit || name[digit] < '0' || name[digit] > '9')
+    return std::nullopt;
+  return name[digit] - '0';
+}
+
+bool isSceneFile(const std::string& target) {
+  return target.starts_with("scenes/") && endsWith(target, ".json");
 }
 
 bool isPlain(char c) {
@@ -125,7 +139,40 @@ std::size_t Sorter::largest(const std::string& name) const {
   return endsWith(name, ".json") ? limits_.sceneBytes : limits_.codeBytes;
 }
 
+bool Sorter::isWanted(int part) const {
+  return only_.empty() || std::find(only_.begin(), only_.end(), part) != only_.end();
+}
+
+bool Sorter::isWanted(const std::string& target) const {
+  return only_.empty() ||
+         std::any_of(parts().begin(), parts().end(), [&](const PartContract& part) {
+           return part.file == target && isWanted(part.part);
+         });
+}
+
 void Sorter::note(std::string sentence) { notes_.push_back(std::move(sentence)); }
+
+void Sorter::noteAbout(const std::string& target, std::string sentence) {
+  if (isWanted(target)) note(std::move(sentence));
+}
+
+void Sorter::noteRefusal(const std::string& target, std::string sentence) {
+  if (isSceneFile(target)) refusedScenes_.push_back(sentence);
+  noteAbout(target, std::move(sentence));
+}
+
+void Sorter::noteNearMisses() {
+  std::size_t noted = 0;
+  for (const std::string& name : nearMisses_) {
+    const std::optional<int> part = numberOf(name);
+    if (part && !isWanted(*part)) {
+      --ignored_;
+      continue;
+    }
+    if (noted++ < kMostNearMisses)
+      note(fmt::format("{} was ignored: this is not the name of a file of the coursework.", name));
+  }
+}
 
 void Sorter::take(const Entry& entry, const ReadEntry& read) {
   if (++entries_ > limits_.entries)
@@ -133,6 +180,9 @@ void Sorter::take(const Entry& entry, const ReadEntry& read) {
   const EntryPath path = splitPath(entry.path, limits_);
   if (!path.problem.empty()) {
     note(fmt::format("{} was refused: it {}.", inQuotes(entry.path), path.problem));
+    const std::size_t scenes = lowerCase(entry.path).find("scenes/");
+    if (scenes != std::string::npos && isSceneFile("scenes/" + entry.path.substr(scenes + 7)))
+      refusedScenes_.push_back(notes_.back());
     return;
   }
   if (path.pieces.empty()) return;
@@ -219,42 +269,47 @@ void Sorter::decide(const std::string& target, const std::vector<const Candidate
   if (!same) {
     std::set<std::string> places;
     for (const Candidate* candidate : candidates) places.insert(joined(candidate->path));
-    note(fmt::format("{} was refused: it was handed in {} times with different contents ({}).",
-                     target, candidates.size(), fmt::join(places, ", ")));
+    noteRefusal(target,
+                fmt::format("{} was refused: it was handed in {} times with different contents "
+                            "({}).",
+                            target, candidates.size(), fmt::join(places, ", ")));
     return;
   }
   if (!first.problem.empty()) {
-    note(fmt::format("{} was refused: it {}.", joined(first.path), first.problem));
+    noteRefusal(target, fmt::format("{} was refused: it {}.", joined(first.path), first.problem));
     return;
   }
   if (candidates.size() > 1)
-    note(fmt::format("{} was handed in {} times with the same contents.", target,
-                     candidates.size()));
+    noteAbout(target, fmt::format("{} was handed in {} times with the same contents.", target,
+                                  candidates.size()));
   const std::string given = first.path.back();
   if (!partName(given).empty() && given != target)
-    note(fmt::format("{} was renamed to {}.", joined(first.path), target));
+    noteAbout(target, fmt::format("{} was renamed to {}.", joined(first.path), target));
   collected.files.emplace(target, first.bytes);
 }
 
 void Sorter::sayWhatIsMissing(const std::set<std::string>& seen, Collected& collected) {
-  std::vector<std::string_view> missing;
-  std::size_t asked = 0;
+  std::vector<std::string_view> asked, missing;
   for (const PartContract& part : parts()) {
-    if (part.bonus) continue;
-    ++asked;
+    // Nobody misses a bonus part, but where it alone is asked for.
+    if (!isWanted(part.part) || (part.bonus && only_.empty())) continue;
+    asked.push_back(part.file);
     if (!seen.contains(std::string(part.file))) missing.push_back(part.file);
   }
-  if (!missing.empty() && missing.size() < asked)
+  if (!missing.empty() && !seen.empty())
     note(fmt::format("{} {} missing.", fmt::join(missing, ", "),
                      missing.size() == 1 ? "is" : "are"));
   const bool anyPart = std::any_of(collected.files.begin(), collected.files.end(),
                                    [](const auto& file) { return !partName(file.first).empty(); });
   if (anyPart) return;
-  std::vector<std::string_view> all;
-  for (const PartContract& part : parts())
-    if (!part.bonus) all.push_back(part.file);
-  collected.failure = fmt::format("Nothing was taken: none of the files {} {} in it.",
-                                  fmt::join(all, ", "), seen.empty() ? "is" : "could be read");
+  const char* verb = seen.empty() ? "is" : "could be read";
+  collected.failure =
+      asked.size() == 1
+          ? fmt::format(
+                "Nothing was taken: neither {} nor another file of the coursework {} in it.",
+                asked.front(), verb)
+          : fmt::format("Nothing was taken: none of the files {} {} in it.", fmt::join(asked, ", "),
+                        verb);
 }
 
 Collected Sorter::finish() {
@@ -282,7 +337,8 @@ Collected Sorter::finish() {
     if (name.empty()) {
       ignored_ += candidate->problem == "is a folder" ? 0 : 1;
     } else if (!std::all_of(candidate->path.begin() + 1, candidate->path.end(), isPlainName)) {
-      note(
+      noteRefusal(
+          name,
           fmt::format("{} was refused: names of scenes and meshes have letters (of all scripts), "
                       "digits, spaces and . _ - ( ) + , only.",
                       joined(candidate->path)));
@@ -297,10 +353,7 @@ Collected Sorter::finish() {
     decide(sceneTarget(*candidates.front(), folders), candidates, collected);
   sayWhatIsMissing(seen, collected);
 
-  for (const std::string& name : nearMisses_) {
-    if (&name - nearMisses_.data() == kMostNearMisses) break;
-    note(fmt::format("{} was ignored: this is not the name of a file of the coursework.", name));
-  }
+  noteNearMisses();
   if (ignored_ > 0)
     note(fmt::format("{} other {} ignored: only part*.cpp and scenes/ are taken.", ignored_,
                      ignored_ == 1 ? "file was" : "files were"));
@@ -312,7 +365,9 @@ Collected Sorter::finish() {
 
   // What was handed in first is not what counts: a report must not depend on it.
   std::sort(notes_.begin(), notes_.end());
+  std::sort(refusedScenes_.begin(), refusedScenes_.end());
   collected.remarks = std::move(notes_);
+  collected.refusedScenes = std::move(refusedScenes_);
   if (collected.remarks.size() > kMostNotes) {
     const std::size_t more = collected.remarks.size() - kMostNotes;
     collected.remarks.resize(kMostNotes);

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,12 @@ namespace pathmark::submission {
 
 class Sorter {
  public:
-  explicit Sorter(const Limits& limits) : limits_(limits) {}
+  // Remarks are about these parts alone; about all, and scenes, if there are none.
+  explicit Sorter(const Limits& limits, std::span<const int> only = {})
+      : limits_(limits), only_(only.begin(), only.end()) {}
 
   // Throws Refusal where the whole submission is beyond the limits.
   void take(const Entry& entry, const ReadEntry& read);
-
-  // A sentence for the report.
-  void note(std::string sentence);
 
   Collected finish();
 
@@ -41,6 +41,12 @@ class Sorter {
   static std::string sceneName(const Path& path, std::size_t below);
   static bool mayBeOfAScene(const Path& path);
 
+  bool isWanted(int part) const;
+  bool isWanted(const std::string& target) const;  // "part3_lambertian.cpp", "scenes/a.json"
+  void note(std::string sentence);                 // for the report
+  void noteAbout(const std::string& target, std::string sentence);
+  void noteRefusal(const std::string& target, std::string sentence);
+  void noteNearMisses();
   std::size_t largest(const std::string& name) const;
   void keep(Path path, const Entry& entry, const ReadEntry& read);
   bool belongsToTheProject(const Candidate& candidate) const;
@@ -51,8 +57,9 @@ class Sorter {
   void sayWhatIsMissing(const std::set<std::string>& seen, Collected& collected);
 
   Limits limits_;
+  std::vector<int> only_;
   std::vector<Candidate> candidates_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, refusedScenes_;
   std::vector<std::string> nearMisses_;  // "part3_lambertian (1).cpp"
   std::size_t entries_ = 0, keptBytes_ = 0, ignored_ = 0;
 };

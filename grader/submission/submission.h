@@ -1,6 +1,6 @@
 // Collecting submissions: from what is handed in to the files that are compiled.
 //
-//   findSubmissions   the submissions that words of the command line mean
+//   findSubmissions   the submissions that words of the command line mean, and what is left out
 //   collect           the expected files of one, in memory, and what was refused
 //   writeOut          those files in a clean folder
 //
@@ -27,15 +27,24 @@ struct Submission {
   bool isArchive = false;
 };
 
+// Somebody may have handed it in, but there is nothing in it that can be graded.
+struct LeftOut {
+  std::string name;  // as of a submission, and unique among these
+  std::filesystem::path source;
+  std::string reason;  // a sentence that does not name it
+};
+
 struct FoundSubmissions {
   std::vector<Submission> submissions;  // in natural order of their names
-  std::vector<std::string> remarks;     // about what is no submission: sentences
+  std::vector<LeftOut> leftOut;         // likewise
+  std::vector<std::string> remarks;     // about what is no submission, left out or not: sentences
 };
 
 // A folder that is no submission is a class: each of its entries may be one. A folder that is the
 // only path, and merely wraps another one, is a class of one. A folder of a class
 // that holds nothing but one archive, as learning platforms make them, is that archive under the
-// folder's name.
+// folder's name. A path that has nothing in it but files that are no submission is left out as a
+// whole.
 FoundSubmissions findSubmissions(std::span<const std::filesystem::path> paths);
 
 struct Limits {
@@ -55,11 +64,15 @@ struct Collected {
   std::map<std::string, std::string> files;
   std::string contents;  // hash of names and bytes: the same for a folder and any archive of it
   std::vector<std::string> remarks;  // what was refused, renamed, ignored or is missing: sentences
-  std::string failure;               // why nothing at all was taken: a sentence
+  std::vector<std::string> refusedScenes;  // those of them that are about scenes/*.json
+  std::string failure;                     // why nothing at all was taken: a sentence
 };
 
-// Never throws because of what is in the submission.
-Collected collect(const Submission& submission, const Limits& limits = {});
+// Never throws because of what is in the submission. All is taken whatever is asked for, but no
+// remark is made about files of other parts than `only`, nor about scenes then; empty: all parts
+// and scenes.
+Collected collect(const Submission& submission, const Limits& limits = {},
+                  std::span<const int> only = {});
 
 // The folder is made; if it is there, it must be empty. Throws std::runtime_error with a sentence.
 void writeOut(const Collected& collected, const std::filesystem::path& folder);

@@ -58,16 +58,17 @@ TEST(CheckCommand, SaysOfAFailureWhereWhatWhyAndHowToRepeatIt) {
   EXPECT_EQ(result.exitCode, 1);
   expectHas(result, "WRONG       3.1  lambertianBRDF::brdf");
   expectHas(result, "where      wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
-  expectHas(result, "expected   f[0] = 0.286479");
-  expectHas(result, "got        f[0] = 0.9");
+  expectHas(result, "expected   f (red) = 0.286479");
+  expectHas(result, "got        f (red) = 0.9");
   expectHas(result, "likely     f = Kd, the 1/pi is forgotten");
-  expectHas(result, "evidence   f[0] where wo . n = 0.9 and wi . n = 0.7 is 0.8 (right: 0.2546;");
+  expectHas(result,
+            "evidence   f (red) where wo . n = 0.9 and wi . n = 0.7 is 0.8 (right: 0.2546;");
   expectHas(result, "read       handouts/part3_lambertian.md, section 3.1");
   const std::string repeat = "./pathmark check 3.1/value --seed 1 --with " + copy.with();
   expectHas(result, repeat);
   const ProcessResult again = check({"3.1/value", "--seed", "1", "--with", copy.with()});
   EXPECT_EQ(again.exitCode, 1);
-  expectHas(again, "got        f[0] = 0.9");
+  expectHas(again, "got        f (red) = 0.9");
 }
 
 TEST(CheckCommand, QuotesACourseworkWithSpacesForTheShell) {
@@ -184,6 +185,27 @@ TEST(CheckCommand, RefusesWhatIsNoCheckWithASuggestion) {
   expectSays(check({"--seed", "-1"}), 2, "--seed");
   expectSays(check({"--with", "nowhere"}), 2, "there is no folder");
   expectSays(check({"--hint", "4"}), 2, "--hint");
+}
+
+TEST(CheckCommand, NamesTheSolutionsInItsHelpWhereTheyAre) {
+  const std::string help = std::regex_replace(check({"--help"}).output, std::regex("\\s+"), " ");
+  EXPECT_NE(help.find("student (default), solutions, or a folder of part*.cpp"), std::string::npos)
+      << help;
+}
+
+TEST(CheckCommand, NamesAllFunctionsThatAWordMayMean) {
+  const std::string lambertian =
+      "lambertianBRDF::brdf, lambertianBRDF::pdf, lambertianBRDF::reflection";
+  for (const char* ofClass : {"lambertianBRDF", "lambertianbrdf", "lambertianBDRF", "lambert"})
+    expectSays(check({ofClass}), 2, lambertian);
+  expectSays(check({"lambertianBRDF"}), 2, "can mean any of ");
+  expectSays(check({"phong"}), 2, "Did you mean one of phongBRDF::brdf, phongBRDF::pdf, phongBRDF");
+  expectSays(check({"reflexion"}), 2,
+             "Did you mean one of lambertianBRDF::reflection, phongBRDF::reflection?");
+  expectSays(check({"pfd"}), 2, "Sphere::pdf, lambertianBRDF::pdf, phongBRDF::pdf");
+  expectSays(check({"lambertianBRDF::sample"}), 2, lambertian);
+  expectSays(check({"phongBRDF::pfd"}), 2, "Did you mean \"phongBRDF::pdf\"?");
+  expectSays(check({"directLightning"}), 2, "Did you mean \"LitScene::directLighting\"?");
 }
 
 TEST(CheckCommand, GivesHintsForWhatComesNext) {

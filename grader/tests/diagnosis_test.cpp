@@ -45,6 +45,23 @@ TEST(Diagnosis, NamesTheMistakeWhoseFeaturesAllAgree) {
   EXPECT_EQ(d.read, "handouts/part3_lambertian.md, 3.2 lambertianBRDF::pdf");
 }
 
+TEST(Diagnosis, AnswersQuestionsByYesAndNo) {
+  const auto answered = [](bool yes) {
+    Signature signature;
+    signature.addAnswer("whether it is black", yes);
+    return signature;
+  };
+  const Signature right = answered(false);
+  const FunctionCatalogue known{CourseworkFunction::kLambertianPdf,
+                                hashOf(right),
+                                knownSignature("", "", right),
+                                {knownSignature("black", "it is black", answered(true))}};
+  EXPECT_TRUE(
+      diagnose(answered(true), known)
+          .evidence.starts_with("whether it is black: yes (right: no; with this mistake: yes). "))
+      << diagnose(answered(true), known).evidence;
+}
+
 TEST(Diagnosis, NamesNothingWhereOneFeatureDisagrees) {
   EXPECT_EQ(diagnose(signatureOf({0.6, 0.25, 0.95}), kTwo).mistake, "");
 }

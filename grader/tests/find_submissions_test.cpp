@@ -4,6 +4,7 @@
 #include "submission/names.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace pathmark::submission {
@@ -110,6 +111,64 @@ TEST_F(Finding, WhatIsNoSubmissionIsNamedAndStopsNothing) {
         "two\" was left out: there are 2 archives in it",
         "link\" was left out: links within a class are not followed"})
     EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
+}
+
+TEST_F(Finding, WhatIsLeftOutKeepsItsNameAndHasAReason) {
+  write("class/alice/part0_warmup.cpp");
+  write("class/Bob (1).rar");
+  archive("class/carol/work.zip");
+  archive("class/carol/work again.zip");
+  write("class/dora/part3_mine.cpp");
+  fs::create_directory_symlink(folder_ / "class/alice", folder_ / "class/emil");
+  const FoundSubmissions found = find({"class"});
+  ASSERT_EQ(found.submissions.size(), 1u);
+  Names names;
+  for (const LeftOut& one : found.leftOut) {
+    names.push_back(one.name);
+    EXPECT_TRUE(std::isupper(static_cast<unsigned char>(one.reason.front()))) << one.reason;
+    EXPECT_TRUE(one.reason.ends_with(".")) << one.reason;
+  }
+  EXPECT_EQ(names, (Names{"Bob_1_", "carol", "dora", "emil"}));
+  EXPECT_EQ(found.remarks.size(), found.leftOut.size());
+}
+
+TEST_F(Finding, AFolderOfNothingButFilesIsLeftOutAsOne) {
+  write("good/part0_warmup.cpp");
+  write("bob/part3.cpp");
+  write("bob/readme.txt");
+  const FoundSubmissions found = find({"good", "bob"});
+  ASSERT_EQ(found.leftOut.size(), 1u);
+  EXPECT_EQ(found.leftOut[0].name, "bob");
+  EXPECT_EQ(found.leftOut[0].source, fs::canonical(folder_ / "bob"));
+}
+
+TEST_F(Finding, AFolderThatCannotBeReadIsLeftOut) {
+  write("class/alice/part0_warmup.cpp");
+  write("class/bob/part0_warmup.cpp");
+  fs::permissions(folder_ / "class/bob", fs::perms::none);
+  const FoundSubmissions found = find({"class"});
+  fs::permissions(folder_ / "class/bob", fs::perms::owner_all);
+  if (found.submissions.size() == 2) GTEST_SKIP() << "root may read everything";
+  ASSERT_EQ(found.leftOut.size(), 1u);
+  EXPECT_EQ(found.leftOut[0].name, "bob");
+  EXPECT_NE(found.leftOut[0].reason.find("cannot be read"), std::string::npos);
+}
+
+TEST_F(Finding, WhatIsLeftOutTakesNoNameFromASubmission) {
+  archive("class/bob.zip");
+  write("class/bob.7z");
+  write("class/bob.txt");
+  const FoundSubmissions found = find({"class"});
+  ASSERT_EQ(found.submissions.size(), 1u);
+  EXPECT_EQ(found.submissions[0].name, "bob");
+  ASSERT_EQ(found.leftOut.size(), 2u);
+  EXPECT_EQ(found.leftOut[0].name, "bob-2");
+  EXPECT_EQ(found.leftOut[1].name, "bob-3");
+}
+
+TEST_F(Finding, AFileThatIsNotThereIsNobodys) {
+  write("good/part0_warmup.cpp");
+  EXPECT_TRUE(find({"good", "godo"}).leftOut.empty());
 }
 
 TEST_F(Finding, TheSamePlaceCountsOnce) {

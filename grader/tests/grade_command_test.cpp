@@ -161,8 +161,80 @@ TEST_F(GradeCommand, GradesAgainWhatHasADamagedRecord) {
   const ProcessResult marks =
       run({PATHMARK_PROGRAM, "grade", "--out", quoted(out()), "--only", "part6"}, kRoot);
   EXPECT_NE(marks.output.find("this record is damaged"), std::string::npos) << marks.output;
+  const std::string row = rowOf(textOf(out() / "marks.csv"), "right");
+  EXPECT_TRUE(row.starts_with("right,,")) << row;
+  EXPECT_NE(row.find("Its record is damaged"), std::string::npos) << row;
   EXPECT_EQ(grade().exitCode, 0);
   EXPECT_EQ(record("right")["parts"][0]["verdict"], "ok");
+}
+
+TEST_F(GradeCommand, HasARowWithoutMarksForEachThatItLeavesOut) {
+  add("right");
+  std::ofstream(classFolder() / "damaged.zip") << "PK\3\4garbage";
+  std::ofstream(classFolder() / "other.7z") << "7z";
+  fs::create_directories(classFolder() / "empty");
+  fs::create_directory_symlink(classFolder() / "right", classFolder() / "link");
+  const ProcessResult result = grade();
+  EXPECT_EQ(result.exitCode, 0) << result.output;
+  const std::string csv = textOf(out() / "marks.csv"), html = textOf(out() / "report.html");
+  for (const std::string name : {"damaged", "other", "empty", "link"}) {
+    const std::string row = rowOf(csv, name);
+    EXPECT_TRUE(row.starts_with(name + ",,")) << csv;
+    EXPECT_NE(row.find("No marks: "), std::string::npos) << csv;
+    EXPECT_NE(html.find("submissions/" + name + "/report.html"), std::string::npos) << name;
+    EXPECT_TRUE(fs::exists(out() / "submissions" / name / "report.html")) << name;
+  }
+  EXPECT_FALSE(rowOf(csv, "right").starts_with("right,,")) << csv;
+  EXPECT_NE(html.find("4 have no marks."), std::string::npos);
+  // Made anew, from the records alone.
+  fs::remove_all(classFolder());
+  EXPECT_EQ(
+      run({PATHMARK_PROGRAM, "grade", "--out", quoted(out()), "--only", "part6"}, kRoot).exitCode,
+      0);
+  EXPECT_EQ(textOf(out() / "marks.csv"), csv);
+}
+
+TEST_F(GradeCommand, MarksWhatWasLeftOutOnceItIsHandedInAnew) {
+  add("right");
+  fs::create_directories(classFolder() / "bob");
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_TRUE(rowOf(textOf(out() / "marks.csv"), "bob").starts_with("bob,,"));
+  fs::remove_all(classFolder() / "bob");
+  std::ofstream(classFolder() / "bob.7z") << "7z";
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_TRUE(rowOf(textOf(out() / "marks.csv"), "bob").starts_with("bob,,"));
+  // What is of no use still lies beside it.
+  add("bob");
+  EXPECT_EQ(grade().exitCode, 0);
+  const std::string csv = textOf(out() / "marks.csv");
+  EXPECT_FALSE(rowOf(csv, "bob").starts_with("bob,,")) << csv;
+  EXPECT_TRUE(rowOf(csv, "bob-2").starts_with("bob-2,,")) << csv;
+}
+
+TEST_F(GradeCommand, WhatIsLeftOutReplacesNoMarkOfAnother) {
+  add("ada");
+  ASSERT_EQ(grade().exitCode, 0);
+  const std::string before = rowOf(textOf(out() / "marks.csv"), "ada");
+  fs::create_directories(folder_ / "group2/ada");
+  fs::copy(classFolder() / "ada", folder_ / "group2/ben");
+  for (int again = 0; again < 2; ++again) {
+    const ProcessResult result = run({PATHMARK_PROGRAM, "grade", quoted(folder_ / "group2"),
+                                      "--out", quoted(out()), "--only", "part6"},
+                                     kRoot);
+    EXPECT_EQ(result.exitCode, 0) << result.output;
+    const std::string csv = textOf(out() / "marks.csv");
+    EXPECT_EQ(rowOf(csv, "ada"), before);
+    EXPECT_TRUE(rowOf(csv, "ada-2").starts_with("ada-2,,")) << csv;
+    EXPECT_EQ(rowOf(csv, "ada-3"), "") << csv;
+  }
+}
+
+TEST_F(GradeCommand, RemarksOnNoFileOfAnotherPartThanTheSelectedOne) {
+  add("right");
+  for (const auto& entry : fs::directory_iterator(classFolder() / "right"))
+    if (entry.path().filename() != "part6_roulette.cpp") fs::remove_all(entry.path());
+  ASSERT_EQ(grade().exitCode, 0);
+  EXPECT_EQ(record("right")["collecting"], Json::array());
 }
 
 TEST_F(GradeCommand, KeepsApartNamesThatDifferBeyondAscii) {

@@ -108,8 +108,8 @@ TEST_F(PreviewCheckerOfOnePart, TellsOfAMistakeWhatTheCommandTells) {
   const CheckLine& line = lineOf(*report, F::kLambertianBrdf, "3.1/value");
   EXPECT_EQ(line.outcome, Outcome::kFail);
   EXPECT_EQ(fieldOf(line, "where"), "wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
-  EXPECT_EQ(fieldOf(line, "got"), "f[0] = 0.9");
-  EXPECT_NE(line.found.find("\ngot f[0] = 0.9\n"), std::string::npos) << line.found;
+  EXPECT_EQ(fieldOf(line, "got"), "f (red) = 0.9");
+  EXPECT_NE(line.found.find("\ngot f (red) = 0.9\n"), std::string::npos) << line.found;
   EXPECT_EQ(fieldOf(line, "likely"), "f = Kd, the 1/pi is forgotten");
   EXPECT_NE(fieldOf(line, "evidence").find("with this mistake: 0.8"), std::string::npos);
   EXPECT_EQ(fieldOf(line, "read"), "handouts/part3_lambertian.md, section 3.1");

@@ -18,6 +18,7 @@ SubmissionRecord fullRecord() {
   r.seed = std::uint64_t{1} << 53;
   r.build = {"abcd", "g++ 12", "-O3", "x86-64", "bubblewrap"};
   r.collecting = {"part9.cpp is not asked for."};
+  r.refusedScenes = {"scenes/a.json was refused: it is a link."};
   PartRecord part;
   part.part = 3;
   part.file = "part3_lambertian.cpp";
@@ -75,6 +76,18 @@ TEST(Record, ComesBackFromItsFileByteForByte) {
   EXPECT_FALSE(again.pictures[0].efficiency);
   EXPECT_EQ(again.parts[0].mistakes.at(0).picture, "m.png");
   EXPECT_EQ(again.samples[0].yours[0][2], -1.0f);
+  EXPECT_EQ(again.refusedScenes, fullRecord().refusedScenes);
+}
+
+TEST(Record, OfWhatWasLeftOutComesBackWithItsReason) {
+  SubmissionRecord leftOut;
+  leftOut.name = "bob";
+  leftOut.leftOut = "It cannot be read.";
+  const SubmissionRecord again = recordFromJson(toJson(leftOut), "record.json");
+  EXPECT_EQ(again.leftOut, leftOut.leftOut);
+  EXPECT_FALSE(again.hasMarks());
+  EXPECT_FALSE(again.internalError());
+  EXPECT_TRUE(fullRecord().hasMarks());
 }
 
 TEST(Record, EveryVerdictHasANameOfItsOwn) {

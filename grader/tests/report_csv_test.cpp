@@ -89,6 +89,20 @@ TEST(MarksCsv, GivesNoPointsToWhatCouldNotBeGraded) {
   EXPECT_NE(column(rows, 5, "remarks").find("no space left"), std::string::npos);
 }
 
+TEST(MarksCsv, TellsWhatWasLeftOutFromWhatEarnedNothing) {
+  test::SampleClass c = test::sampleClass();
+  c.add(test::leftOutRecord("fay"));
+  const Rows rows = readCsv(marksCsv(c.graded()));
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[6].size(), rows[0].size());
+  EXPECT_EQ(column(rows, 6, "name"), "fay");
+  EXPECT_EQ(column(rows, 6, "total"), "");
+  EXPECT_EQ(column(rows, 6, "part 3"), "");
+  EXPECT_EQ(column(rows, 6, "out of"), "73");
+  EXPECT_EQ(column(rows, 6, "part 3 out of"), "9");
+  EXPECT_EQ(column(rows, 6, "remarks"), "No marks: Nothing was taken: the archive is damaged.");
+}
+
 TEST(MarksCsv, SurvivesHostileTexts) {
   test::SampleClass c = test::sampleClass();
   for (record::SubmissionRecord& record : c.records) {

@@ -71,6 +71,13 @@ TEST(Gradescope, KeepsToItselfWhatOnlyTheTeacherShouldSee) {
   EXPECT_EQ(gradescopeJson(test::sampleRecord("ben"), marks).find("suspicious"), std::string::npos);
 }
 
+TEST(Gradescope, HasNoScoreOfWhatWasLeftOut) {
+  const json results = json::parse(gradescopeJson(test::leftOutRecord("fay"), rubric::Marks()));
+  EXPECT_FALSE(results.contains("score"));
+  EXPECT_EQ(results["extra_data"]["complete"], false);
+  EXPECT_NE(results["output"].get<std::string>().find("the archive is damaged"), std::string::npos);
+}
+
 TEST(Gradescope, SurvivesHostileTexts) {
   const json results = json::parse(gradescopeJson(test::withHostileTexts(test::sampleRecord("ben")),
                                                   test::withHostileTexts(test::sampleMarks())));
@@ -122,6 +129,15 @@ TEST(JUnit, NamesChecksByTheirIdsAndPartsThatDoNotCompileByTheirFiles) {
   EXPECT_NE(failure->attributes.at("message").find("uniform over the hemisphere"),
             std::string::npos);
   EXPECT_NE(failure->text.find("0.5002"), std::string::npos);
+}
+
+TEST(JUnit, HasAnErrorForWhatWasLeftOut) {
+  const auto elements = test::readXml(junitXml(test::leftOutRecord("fay")));
+  const auto error = std::find_if(elements.begin(), elements.end(),
+                                  [](const MarkupElement& e) { return e.name == "error"; });
+  ASSERT_NE(error, elements.end());
+  EXPECT_EQ(error->attributes.at("type"), "not graded");
+  EXPECT_NE(error->attributes.at("message").find("the archive is damaged"), std::string::npos);
 }
 
 TEST(JUnit, OfAClassHasTheCasesOfAllSubmissions) {

@@ -268,6 +268,37 @@ TEST(ClassHtml, PutsFirstWhatAPersonShouldLookAt) {
   }
 }
 
+TEST(ClassHtml, HasARowWithoutMarksForWhatWasLeftOut) {
+  test::SampleClass c = test::sampleClass();
+  const std::string before = classHtml(c.graded());
+  c.add(test::leftOutRecord("fay"));
+  const std::string html = classHtml(c.graded());
+  expectSafe(html);
+  const std::size_t row = html.find("<th scope=\"row\" data-value=\"fay\">");
+  ASSERT_NE(row, std::string::npos);
+  const std::string cells = html.substr(row, html.find("</tr>", row) - row);
+  EXPECT_EQ(cells.find("data-value=\"0"), std::string::npos) << cells;
+  EXPECT_NE(cells.find("not graded: Nothing was taken: the archive is damaged."), std::string::npos)
+      << cells;
+  const std::size_t first = html.find("was not graded: Nothing was taken");
+  EXPECT_LT(first, html.find("<h2>Submissions</h2>"));
+  // What the others earned on average stays.
+  const auto mean = [](const std::string& page) {
+    const std::size_t at = page.find("Mean ");
+    return page.substr(at, page.find(" points.", at) - at);
+  };
+  EXPECT_EQ(mean(html), mean(before));
+  EXPECT_NE(html.find("2 have no marks."), std::string::npos);
+}
+
+TEST(SubmissionHtml, OfWhatWasLeftOutSaysWhyThereAreNoMarks) {
+  const std::string html =
+      submissionHtml(test::leftOutRecord("fay"), rubric::Marks(), test::samplePicture);
+  expectSafe(html);
+  EXPECT_NE(html.find("There are no marks, which are not 0: Nothing was taken"), std::string::npos);
+  EXPECT_EQ(html.find("points</p>"), std::string::npos);
+}
+
 TEST(ClassHtml, CountsTheFunctionsOfAPartThatDoesNotCompile) {
   const test::SampleClass c = test::sampleClass();
   const std::string html = classHtml(c.graded());

@@ -108,6 +108,28 @@ TEST(ClassTable, SaysWhatIsWrongInARowForEachSubmission) {
   EXPECT_NE(table.find("parts 0 and 3 wrong"), std::string::npos) << table;
 }
 
+TEST(ClassTable, HasARowWithoutMarksForWhatWasLeftOut) {
+  test::SampleClass c = test::sampleClass();
+  const std::vector<std::string> before = linesOf(classTable(c.graded(), false));
+  c.add(test::leftOutRecord("fay"));
+  const std::vector<std::string> lines = linesOf(classTable(c.graded(), false));
+  ASSERT_EQ(lines.size(), before.size() + 1);
+  const std::string& row = lines[lines.size() - 2];
+  EXPECT_TRUE(row.starts_with("fay ")) << row;
+  EXPECT_NE(row.find("not graded"), std::string::npos) << row;
+  EXPECT_EQ(row.find('0'), std::string::npos) << row;
+  EXPECT_EQ(lines.back(), before.back()) << "the means";
+}
+
+TEST(ClassTable, HasNoMeanOfNoMarks) {
+  test::SampleClass c;
+  c.add(test::leftOutRecord("fay"));
+  c.add(test::leftOutRecord("gil"));
+  const std::vector<std::string> lines = linesOf(classTable(c.graded(), false));
+  EXPECT_TRUE(lines.back().starts_with("mean ")) << lines.back();
+  EXPECT_EQ(lines.back().find('0'), std::string::npos) << lines.back();
+}
+
 TEST(ClassTable, SpeaksOfSeveralPartsInThePlural) {
   test::SampleClass c = test::sampleClass();
   for (const std::size_t place : {3u, 4u})

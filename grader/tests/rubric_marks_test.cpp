@@ -366,6 +366,14 @@ TEST_F(Marking, BonusPartsComeOnTopAndLeavingThemOutCostsNothing) {
   EXPECT_EQ(mark().outOf, 100.0);
 }
 
+TEST_F(Marking, WhatWasNotGradedIsOutOfNothing) {
+  SubmissionRecord leftOut;
+  leftOut.leftOut = "It cannot be read.";
+  const Marks marks = markSubmission(leftOut, rubric_);
+  EXPECT_TRUE(marks.parts.empty());
+  EXPECT_EQ(marks.outOf, 0.0);
+}
+
 TEST_F(Marking, OneGoodSceneIsEnough) {
   const auto points = [&](std::vector<Verdict> verdicts) {
     record_.scenes.clear();
@@ -386,11 +394,11 @@ TEST_F(Marking, OneGoodSceneIsEnough) {
   EXPECT_EQ(marksOf(mark(), kScenesPart).lines[0].reason, "There is no scene in scenes/.");
 }
 
-TEST_F(Marking, ASceneThatWasRefusedIsNotCalledMissing) {
-  const std::string refused =
-      "work/scenes/a:b.json was refused: names of scenes have letters only.";
+TEST_F(Marking, ASceneThatWasRefusedIsNotCalledMissingWhateverTheWords) {
+  const std::string refused = "a:b was not taken.";
   record_.scenes.clear();
-  record_.collecting = {"notes.json was refused: it is a link.", refused};
+  record_.collecting = {"work/scenes/b.json was refused: of another thing.", refused};
+  record_.refusedScenes = {refused};
   const MarkLine line = marksOf(mark(), kScenesPart).lines[0];
   EXPECT_EQ(line.points, 0.0);
   EXPECT_EQ(line.reason, refused);

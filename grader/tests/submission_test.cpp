@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace pathmark::submission {
@@ -72,6 +73,62 @@ TEST_F(Collecting, SaysWhatIsMissing) {
   expectRemark(collected(MadeArchive().file(kPart3)),
                "part0_warmup.cpp, part1_stratified.cpp, part2_lights.cpp, part4_phong.cpp, "
                "part5_path.cpp, part6_roulette.cpp are missing.");
+}
+
+TEST_F(Collecting, RemarksOnNoFileThatTheSelectionDoesNotNeed) {
+  const MadeArchive made = MadeArchive()
+                               .file(kPart3)
+                               .file("Part4_Phong.cpp")
+                               .file("a/part5_path.cpp", "1")
+                               .file("b/part5_path.cpp", "2")
+                               .file("part6.cpp")
+                               .file("scenes/-rf.json");
+  made.write(ArchiveKind::kTar, folder_ / "work.tar");
+  const auto remarks = [&](std::vector<int> only) {
+    return collect({"work", folder_ / "work.tar", true}, {}, only).remarks;
+  };
+  EXPECT_EQ(remarks({3}), Names{});
+  EXPECT_EQ(remarks({2}), Names{"part2_lights.cpp is missing."});
+  EXPECT_EQ(remarks({8}), Names{"part8_mis.cpp is missing."});
+  EXPECT_EQ(remarks({4}), Names{"Part4_Phong.cpp was renamed to part4_phong.cpp."});
+  EXPECT_EQ(remarks({5}).size(), 1u);
+  EXPECT_EQ(remarks({6}).size(), 3u) << "it is missing, and one of almost that name is ignored";
+  EXPECT_EQ(remarks({}).size(), 6u);
+}
+
+TEST_F(Collecting, TakesTheSameWhateverIsSelected) {
+  write(kPart3, "three");
+  write(kPart4, "four");
+  const std::vector<int> only{3};
+  const Collected some = collect({"submission", folder_ / "submission", false}, {}, only);
+  EXPECT_EQ(some.files, collectedFolder().files);
+  EXPECT_EQ(some.contents, collectedFolder().contents);
+}
+
+TEST_F(Collecting, SaysThatNothingWasTakenOfASelectedPart) {
+  MadeArchive().file("readme.txt").write(ArchiveKind::kZip, folder_ / "work.zip");
+  const std::vector<int> only{3};
+  EXPECT_EQ(collect({"work", folder_ / "work.zip", true}, {}, only).failure,
+            "Nothing was taken: neither part3_lambertian.cpp nor another file of the coursework is "
+            "in it.");
+}
+
+TEST_F(Collecting, KeepsApartWhichRemarksAreAboutRefusedScenes) {
+  const Collected one = collected(MadeArchive()
+                                      .file(kPart4)
+                                      .file("scenes/-rf.json")
+                                      .file("scenes/-rf.obj")
+                                      .file("scenes/a.json", "1")
+                                      .file("scenes/A.json", "2")
+                                      .file("../scenes/out.json")
+                                      .symbolicLink("scenes/link.json", kPart4)
+                                      .symbolicLink("notes.json", kPart4));
+  ASSERT_EQ(one.refusedScenes.size(), 4u) << allRemarks(one);
+  for (const std::string& remark : one.refusedScenes) {
+    EXPECT_NE(remark.find(".json"), std::string::npos) << remark;
+    EXPECT_EQ(std::count(one.remarks.begin(), one.remarks.end(), remark), 1) << remark;
+  }
+  EXPECT_TRUE(collected(MadeArchive().file(kPart4).file("scenes/a.json")).refusedScenes.empty());
 }
 
 TEST_F(Collecting, SaysWhenThereIsNothingToTake) {

@@ -137,10 +137,18 @@ TEST_F(PresentKit, HasWhatItsChaptersLinkTo) {
 }
 
 TEST_F(PresentKit, TellsOfNoCommandThatItDoesNotHave) {
-  const std::regex command("pathmark (kit|study|grade)\\b");
+  const std::regex command("pathmark (kit|study|grade|pairs|gallery)\\b");
   for (const fs::path& file : filesOf(kit())) {
     if (file.extension() != ".md" && file.extension() != ".json") continue;
     EXPECT_FALSE(std::regex_search(kit::readFile(file), command)) << file;
+  }
+}
+
+TEST_F(PresentKit, TellsOfNoCommandWithCourseworkThatItDoesNotHave) {
+  const std::regex solved("(--with |--estimators )[^`\\s]*\\bsolutions\\b");
+  for (const fs::path& file : filesOf(kit())) {
+    if (file.extension() != ".md") continue;
+    EXPECT_FALSE(std::regex_search(kit::readFile(file), solved)) << file;
   }
 }
 

@@ -64,6 +64,28 @@ TEST(KitContents, TheReadmeIsTheStudentsAndTheScriptCanBeRun) {
             fs::perms::none);
 }
 
+TEST(KitContents, WhatAChapterTellsInstructorsStaysOut) {
+  const SmallProject project;
+  project.write("handouts/notes.md",
+                "# Notes\n\nInstructors: `./pathmark study`,\nwhich takes long.\n\n"
+                "```sh\n./pathmark check --with mine  # (instructors: solutions)\n```\n\n"
+                "The figures (instructors: by `f(x)`,\nand more) are those\n"
+                "(instructors: of a run).\n\nInstructors");
+  ASSERT_EQ(project.makeKit().outcome, kit::KitOutcome::kWritten);
+  EXPECT_EQ(textOf(project.inKit("handouts/notes.md")),
+            "# Notes\n\n```sh\n./pathmark check --with mine  #\n```\n\n"
+            "The figures are those.\n\n");
+}
+
+TEST(KitContents, WhatIsNoRemarkToInstructorsStaysIn) {
+  const SmallProject project;
+  const std::string text =
+      "Ask your instructors (instructors know).\n\nWhat (instructors: is not closed\n\nends).\n";
+  project.write("handouts/notes.md", text);
+  ASSERT_EQ(project.makeKit().outcome, kit::KitOutcome::kWritten);
+  EXPECT_EQ(textOf(project.inKit("handouts/notes.md")), text);
+}
+
 TEST(KitContents, ALineThatTakesNothingIsAnError) {
   const SmallProject project;
   project.append("grader/kit/contents.txt", "text shaders/*\n");

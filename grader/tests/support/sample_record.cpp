@@ -273,6 +273,20 @@ SubmissionRecord sampleRecord(const std::string& name) { return recordOf(name, f
 
 Marks sampleMarks() { return marksOf(recordOf("sample", false)); }
 
+SubmissionRecord leftOutRecord(const std::string& name) {
+  SubmissionRecord record;
+  record.name = name;
+  record.source = fmt::format("submissions/{}.zip", name);
+  record.seed = 4711;
+  record.leftOut = "Nothing was taken: the archive is damaged.";
+  return record;
+}
+
+void SampleClass::add(SubmissionRecord record) {
+  records.push_back(std::move(record));
+  marks.emplace_back();
+}
+
 std::vector<report::Graded> SampleClass::graded() const {
   std::vector<report::Graded> list;
   for (std::size_t i = 0; i < records.size(); ++i)

@@ -3,6 +3,7 @@
 //   sampleRecord    a submission with every verdict and everything that a record can hold
 //   sampleMarks     its marks; they add up
 //   sampleClass     submissions of several kinds
+//   leftOutRecord   what there is of one that could not be read
 //   samplePicture   the bytes of any of their pictures
 #pragma once
 
@@ -20,8 +21,11 @@ struct SampleClass {
   std::vector<record::SubmissionRecord> records;
   std::vector<rubric::Marks> marks;
 
+  void add(record::SubmissionRecord record);  // without marks
   std::vector<report::Graded> graded() const;
 };
+
+record::SubmissionRecord leftOutRecord(const std::string& name);
 
 // One that is complete, one of all verdicts, one of a crash, one that could not be graded.
 SampleClass sampleClass();

@@ -1,12 +1,10 @@
-#include "submission/utf8.h"
+#include "scene/utf8.h"
 
-namespace pathmark::submission {
+namespace pathmark {
 
 namespace {
 
 bool between(char32_t c, char32_t first, char32_t last) { return c >= first && c <= last; }
-
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 // Controls, spaces, what has no width, directions of writing, tags, noncharacters.
 bool isUnseen(char32_t c) {
@@ -18,8 +16,10 @@ bool isUnseen(char32_t c) {
 
 }  // namespace
 
+bool continuesCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
 // The Unicode Standard, table 3-7: no overlong forms, no surrogates, nothing above U+10FFFF.
-Utf8Character firstOf(std::string_view text) {
+Utf8Character firstCharacter(std::string_view text) {
   if (text.empty()) return {};
   const unsigned lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80) return {lead, 1};
@@ -27,7 +27,7 @@ Utf8Character firstOf(std::string_view text) {
   if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes) return {};
   char32_t code = lead & (0xFFu >> (bytes + 1));
   for (std::size_t i = 1; i < bytes; ++i) {
-    if (!continues(text[i])) return {};
+    if (!continuesCharacter(text[i])) return {};
     code = (code << 6) | (static_cast<unsigned char>(text[i]) & 0x3Fu);
   }
   constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -36,14 +36,14 @@ Utf8Character firstOf(std::string_view text) {
 }
 
 std::size_t bytesOfNameLetter(std::string_view text) {
-  const Utf8Character first = firstOf(text);
+  const Utf8Character first = firstCharacter(text);
   return first.code < 0x80 || isUnseen(first.code) ? 0 : first.bytes;
 }
 
 std::string_view cutAtCharacter(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
-  while (bytes > 0 && continues(text[bytes])) --bytes;
+  while (bytes > 0 && continuesCharacter(text[bytes])) --bytes;
   return text.substr(0, bytes);
 }
 
-}  // namespace pathmark::submission
+}  // namespace pathmark
