@@ -160,8 +160,7 @@ void addMeasureOptions(CLI::App& command, BenchErrorArguments& arguments) {
   command.add_option("SCENE", arguments.scenes, "Scenes by name or file (default: cornell_box)")
       ->type_name("");
   command
-      .add_option("--with", arguments.with,
-                  "Coursework: solutions (default where there are any), student, or a folder")
+      .add_option("--with", arguments.with, "Coursework: " + courseworkChoices(solvedCoursework()))
       ->type_name("DIR");
   command
       .add_option("--estimators", arguments.estimators,
@@ -229,17 +228,17 @@ void addBenchErrorCommand(CLI::App& bench, CommandAction& action) {
       bench.add_subcommand("error", "Error against time: estimators, samplers and other renderers");
   addMeasureOptions(*command, *arguments);
   addOutputOptions(*command, *arguments);
-  command->footer(
+  command->footer(fmt::format(
       "Examples:\n"
       "  ./pathmark bench error --html error.html\n"
       "  ./pathmark bench error cornell_box --estimators uniform,cosine,hemispherical --csv "
       "error.csv\n"
-      "  ./pathmark bench error cornell_box --estimators solutions --samplers "
+      "  ./pathmark bench error cornell_box --estimators {0} --samplers "
       "pcg,stratified,sobol\n"
       "  ./pathmark bench error cornell_box --estimators "
-      "solutions,solutions+split4+share-direct,solutions+reuse16\n"
+      "{0},{0}+split4+share-direct,{0}+reuse16\n"
       "  ./pathmark bench error cornell_box --with student --size 64x64 --max-bounces 1\n"
-      "  ./pathmark bench error cornell_box --estimators mine=student,theirs=solutions\n"
+      "  ./pathmark bench error cornell_box --estimators mine=student,theirs=../theirs/student\n"
       "  ./pathmark bench error cornell_box --peer cycles\n"
       "  ./pathmark bench error cornell_box --peer Mitsuba=box.exr,7.8,256\n\n"
       "An estimator is a coursework, or one of its labs: a folder COURSEWORK/labs/NAME with the "
@@ -249,7 +248,8 @@ void addBenchErrorCommand(CLI::App& bench, CommandAction& action) {
       "reference's own error; for another size or number of bounces a reference is made, with the\n"
       "coursework, and kept. Of Ctrl-C and --seconds what there is is shown.\n"
       "Exit code: 0 done, 1 an estimator is at fault, 2 the command line or the scene is, 3 the\n"
-      "machine is, 130 interrupted.");
+      "machine is, 130 interrupted.",
+      solvedCoursework()));
   command->callback([arguments, &action] { action = [arguments] { return error(*arguments); }; });
 }
 

@@ -155,8 +155,7 @@ void addBenchPreviewCommand(CLI::App& bench, CommandAction& action) {
       ->type_name("");
   command
       ->add_option("--with", arguments->with,
-                   "Coursework that is copied and saved: solutions (default where there are any), "
-                   "student, or a folder")
+                   "Coursework that is copied and saved: " + courseworkChoices(solvedCoursework()))
       ->type_name("DIR");
   takesWholeNumber(command->add_option("--saves", arguments->saves, "Saves of each (default: 7)"),
                    1, 1000);

@@ -1,6 +1,8 @@
 // --with, as the subcommands of bench have it.
 #pragma once
 
+#include "host/session.h"
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -8,10 +10,7 @@
 namespace pathmark::bench {
 
 inline void addWithOption(CLI::App& command, std::string& with) {
-  command
-      .add_option("--with", with,
-                  "Coursework: solutions (default where there are any), student, or a folder of "
-                  "part*.cpp files")
+  command.add_option("--with", with, "Coursework: " + courseworkChoices(solvedCoursework()))
       ->type_name("DIR");
 }
 

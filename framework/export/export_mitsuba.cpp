@@ -116,8 +116,8 @@ std::vector<ExportedFile> exportMitsuba(const WorldScene& scene, const ExportReq
   std::vector<ExportedFile> files{{fmt::format("{}.xml", request.stem), {}}};
   XmlText out;
   out.line("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
-  out.comment(fmt::format("{}, by pathmark export, for Mitsuba 3: mitsuba -m scalar_rgb {}.xml",
-                          scene.name, request.stem));
+  out.comment(
+      fmt::format("{}, by pathmark export, for Mitsuba 3: {}", scene.name, request.command));
   if (!scene.caption.empty()) out.comment(scene.caption);
   for (const std::string& note : exportNotes(scene, ExportFormat::kMitsuba))
     out.comment(fmt::format("Note: {}", note));

@@ -119,7 +119,7 @@ std::string inlineMesh(const WorldMesh& mesh) {
 std::vector<ExportedFile> exportPbrt(const WorldScene& scene, const ExportRequest& request) {
   std::vector<ExportedFile> files{{fmt::format("{}.pbrt", request.stem), {}}};
   PbrtText out;
-  out.line("# {}, by pathmark export, for pbrt-v4: pbrt {}.pbrt", scene.name, request.stem);
+  out.line("# {}, by pathmark export, for pbrt-v4: {}", scene.name, oneLine(request.command));
   if (!scene.caption.empty()) out.line("# {}", oneLine(scene.caption));
   for (const std::string& note : exportNotes(scene, ExportFormat::kPbrt))
     out.line("# Note: {}", note);

@@ -29,6 +29,7 @@ struct ExportedFile {
 struct ExportRequest {
   std::string stem;  // of the scene file and the image that the other renderer writes
   std::uint64_t raysPerPixel = 64;
+  std::string command{};  // that renders the scene file, to be told at its top; on one line
 };
 
 // The scene file first, then its meshes in the folder STEM_meshes.

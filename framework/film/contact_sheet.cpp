@@ -1,5 +1,6 @@
 #include "film/contact_sheet.h"
 
+#include "film/ascii_text.h"
 #include "film/canvas.h"
 
 #include <algorithm>
@@ -41,7 +42,8 @@ std::string fitting(std::string text, const SheetLayout& layout) {
 
 void drawCentred(Image& sheet, const std::string& text, int left, int y,
                  const SheetLayout& layout) {
-  const std::string shown = fitting(text, layout);
+  // In the font's letters first: of others only a part of the bytes might fit.
+  const std::string shown = fitting(asciiText(text), layout);
   drawText(sheet, shown, left + (layout.thumbnail - textWidth(shown, layout.dot)) / 2, y,
            layout.dot, greyOfLevel(kInk));
 }

@@ -1,5 +1,7 @@
 #include "film/text.h"
 
+#include "film/ascii_text.h"
+
 #include <stb_easy_font.h>
 
 #include <algorithm>
@@ -10,17 +12,6 @@ namespace pathmark {
 
 namespace {
 
-// A code point of UTF-8 is one question mark, however many bytes it takes.
-std::string toAscii(std::string_view text) {
-  std::string ascii;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues = (byte & 0xc0u) == 0x80u;
-    if (!continues) ascii.push_back(byte >= 32 && byte < 127 ? c : '?');
-  }
-  return ascii;
-}
-
 // What stb_easy_font_print fills in, four for each rectangle.
 struct EasyFontVertex {
   float x, y, z;
@@ -30,7 +21,7 @@ struct EasyFontVertex {
 }  // namespace
 
 TextDots textDots(std::string_view text) {
-  std::string ascii = toAscii(text);
+  std::string ascii = asciiText(text);
   TextDots dots{stb_easy_font_width(ascii.data()), kTextDotsHeight, {}};
   dots.set.resize(dots.index(0, dots.height));
   // A letter has at most 16 rectangles.

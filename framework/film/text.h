@@ -22,7 +22,7 @@ struct TextDots {
 // From the line of the highest letters to that of the deepest descenders.
 inline constexpr int kTextDotsHeight = 10;
 
-// One line. The font is ASCII: every other character becomes a question mark.
+// One line. The font is ASCII: see ascii_text.h for what becomes of other letters.
 TextDots textDots(std::string_view text);
 
 }  // namespace pathmark

@@ -4,6 +4,7 @@
 #include "host/adaptive_render.h"
 #include "host/exit_code.h"
 #include "host/interrupt.h"
+#include "host/invalid_origin.h"
 #include "host/progress_bar.h"
 
 #include <fmt/format.h>
@@ -59,8 +60,31 @@ void printReached(const AdaptiveRequest& request, const AdaptivePicture& picture
       kTileSize, 100.0 * picture.errors.median(), 100.0 * picture.errors.worst(), within,
       picture.errors.relative.size(), 100.0 * request.targetError);
   if (picture.tilesAtMost > 0)
-    fmt::print("{} of them would have needed more than the {} rays per pixel that are allowed.\n",
-               picture.tilesAtMost, request.options.raysPerPixel);
+    fmt::print("{} of them would have needed more than {} rays per pixel.\n", picture.tilesAtMost,
+               AdaptiveRender::mostRays(request.options.raysPerPixel));
+}
+
+void noteRaysLeft(std::uint64_t allowed) {
+  const std::uint64_t most = AdaptiveRender::mostRays(allowed);
+  if (most == allowed) return;
+  fmt::print(
+      stderr,
+      "Of the {} rays per pixel that are allowed at most {} are made: the picture is made in "
+      "{} films, in passes of {} rays.\n",
+      allowed, most, AdaptiveRender::kFilms, AdaptiveRender::kPilotRays);
+}
+
+// Who has interrupted a render does not wait for the function's name. Where a tile got fewer rays,
+// those that it did not get tell the same.
+std::string originSentence(const Coursework& coursework, const LoadedScene& scene,
+                           const AdaptiveRequest& request, const RenderedImage& rendered) {
+  if (!rendered.complete) return {};
+  const std::uint64_t most = AdaptiveRender::mostRays(request.options.raysPerPixel);
+  const std::string sentence = invalidOrigin(
+      coursework, scene, settingsFor(scene, request.options),
+      {AdaptiveRender::kFilms, most / AdaptiveRender::kFilms, AdaptiveRender::kPilotRays},
+      rendered.invalid.firstPixel);
+  return sentence.empty() ? sentence : sentence + "\n";
 }
 
 }  // namespace
@@ -88,6 +112,7 @@ void refuseFewRays(std::uint64_t raysPerPixel) {
 
 int renderToTarget(const Coursework& coursework, const LoadedScene& scene,
                    const AdaptiveRequest& request) {
+  noteRaysLeft(request.options.raysPerPixel);
   StubReport stubs;
   AdaptivePicture picture;
   {
@@ -118,7 +143,8 @@ int renderToTarget(const Coursework& coursework, const LoadedScene& scene,
   if (!request.rayMap.empty()) writeRayMap(request.rayMap, picture);
   std::fflush(stdout);
   const std::string invalid = invalidSentence(rendered, request.options.estimator);
-  if (!invalid.empty()) fmt::print(stderr, "{}\n", invalid);
+  if (!invalid.empty())
+    fmt::print(stderr, "{}\n{}", invalid, originSentence(coursework, scene, request, rendered));
   if (!rendered.complete)
     fmt::print(stderr, "Interrupted: the picture has the rays that there was time for.\n");
   return !invalid.empty() ? kCourseworkFault : rendered.complete ? kSuccess : kInterrupted;

@@ -33,7 +33,7 @@ AdaptiveRender::AdaptiveRender(WorkerProcess& worker, const RenderSettings& sett
                                double relativeError)
     : worker_(worker),
       settings_(settings),
-      target_{relativeError, kPilotRays, settings.raysPerPixel / kFilms},
+      target_{relativeError, kPilotRays, mostRays(settings.raysPerPixel) / kFilms},
       shared_(settings.width, settings.height) {
   const std::size_t tiles = tileCount(settings.width, settings.height);
   for (std::uint32_t k = 0; k < kFilms; ++k) {
@@ -60,7 +60,6 @@ void AdaptiveRender::decide() {
   // A number that is cut to the most does not tell whether more was wanted.
   TargetError unlimited = target_;
   unlimited.mostRays = std::uint64_t{1} << 52;
-  const std::uint64_t most = target_.mostRays / kPilotRays * kPilotRays;
   std::vector<bool> wantsMore(wanted_[0].size());
   for (const std::uint32_t half : {0u, 2u}) {
     const std::uint32_t other = 2 - half;
@@ -68,8 +67,8 @@ void AdaptiveRender::decide() {
         {settings_.width, settings_.height, films_[other], films_[other + 1], kPilotRays},
         unlimited);
     for (std::size_t t = 0; t < rays.size(); ++t) {
-      if (rays[t] > most) wantsMore[t] = true;
-      rays[t] = std::min(rays[t], most);
+      if (rays[t] > target_.mostRays) wantsMore[t] = true;
+      rays[t] = std::min(rays[t], target_.mostRays);
     }
     wanted_[half] = wanted_[half + 1] = rays;
   }

@@ -26,6 +26,13 @@ class AdaptiveRender {
   static constexpr std::uint32_t kFilms = 4;
   static constexpr std::uint32_t kPilotRays = 16;  // of each pixel in each film: one pass
 
+  // What can be made of so many rays of a pixel: whole passes, in which points are spread evenly,
+  // and the same in each film.
+  static constexpr std::uint64_t mostRays(std::uint64_t allowed) {
+    constexpr std::uint64_t kStep = std::uint64_t{kFilms} * kPilotRays;
+    return allowed / kStep * kStep;
+  }
+
   // `settings` says the size, the most rays of a pixel, at least kFilms * kPilotRays, the seed, the
   // sampler and the threads; it must ask for no replicates. The worker must outlive this object.
   AdaptiveRender(WorkerProcess& worker, const RenderSettings& settings, double relativeError);

@@ -36,8 +36,9 @@ void addBuildCommand(CLI::App& app, CommandAction& action) {
       app.add_subcommand("build", "Build the program, and compile coursework with it");
   command
       ->add_option("--with", *folders,
-                   "Coursework to compile: student, solutions, or folders (default: student, "
-                   "and solutions if they are there)")
+                   solvedCoursework() == "solutions"
+                       ? "Coursework to compile: student, solutions, or folders (default: both)"
+                       : "Coursework to compile: student (default), or folders")
       ->type_name("DIR");
   command->footer(
       "Examples:\n"
@@ -47,8 +48,7 @@ void addBuildCommand(CLI::App& app, CommandAction& action) {
     action = [folders] {
       if (folders->empty()) {
         folders->push_back("student");
-        if (std::filesystem::exists(std::filesystem::path(build::kProjectFolder) / "solutions"))
-          folders->push_back("solutions");
+        if (solvedCoursework() != "student") folders->push_back(solvedCoursework());
       }
       return buildAll(*folders);
     };

@@ -185,8 +185,7 @@ void addContactSheetCommand(CLI::App& app, CommandAction& action) {
       ->type_name("");
   command
       ->add_option("--with", arguments->with,
-                   "Coursework: solutions (default where there are any), student, or a folder of "
-                   "part*.cpp files")
+                   "Coursework: " + courseworkChoices(solvedCoursework()))
       ->type_name("DIR");
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: 256)"),

@@ -266,9 +266,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                    "A scene's name in scenes/ or student/scenes/, or a .json file")
       ->required()
       ->type_name("");
-  command
-      ->add_option("--with", arguments->with,
-                   "Coursework: student (default), solutions, or a folder of part*.cpp files")
+  command->add_option("--with", arguments->with, "Coursework: " + courseworkChoices("student"))
       ->type_name("DIR");
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: the scene's)"),
@@ -318,10 +316,10 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
   command->footer(
       "Examples:\n"
       "  ./pathmark render ucl_rectangle\n"
-      "  ./pathmark render cornell_box --with solutions --rays-per-pixel 256\n"
+      "  ./pathmark render cornell_box --rays-per-pixel 256\n"
       "  ./pathmark render cornell_box --warm-up --size 128x128\n"
       "  ./pathmark render veach_plates --mis\n"
-      "  ./pathmark render blob --with solutions --split 4\n"
+      "  ./pathmark render blob --split 4\n"
       "  ./pathmark render cornell_box --reuse 16\n"
       "  ./pathmark render cornell_box --explain\n"
       "  ./pathmark render cornell_phong --paths 'LS+DE' --output caustic.png\n"

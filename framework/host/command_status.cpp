@@ -116,9 +116,7 @@ void addStatusCommand(CLI::App& app, CommandAction& action) {
   const auto with = std::make_shared<std::string>("student");
   CLI::App* command =
       app.add_subcommand("status", "Say which functions are written, and what comes next");
-  command
-      ->add_option("--with", *with,
-                   "Coursework: student (default), solutions, or a folder of part*.cpp files")
+  command->add_option("--with", *with, "Coursework: " + courseworkChoices("student"))
       ->type_name("DIR");
   command->footer(
       "Examples:\n"

@@ -69,13 +69,20 @@ std::string forbiddenCall(int systemCall, const std::string& path) {
       systemCallName(systemCall), path.empty() ? "" : fmt::format(" of \"{}\"", path));
 }
 
-std::string whatHappened(const CrashRecord& record) {
+std::string memoryRanOut(std::size_t bytes) {
+  // Sanitizers have no limit: see worker_launch.cpp.
+  const std::string allowed =
+      build::kSanitized ? std::string() : fmt::format(", allowed are {} MiB", bytes >> 20);
+  return fmt::format("memory ran out (std::bad_alloc){}; does an array grow without end?", allowed);
+}
+
+std::string whatHappened(const CrashRecord& record, std::size_t memoryBytes) {
   switch (record.kind) {
     case CrashKind::kStackOverflow:
       return "stack overflow; is there a recursion that never ends?";
     case CrashKind::kException:
       if (std::string_view(record.text).starts_with("std::bad_alloc"))
-        return "memory ran out (std::bad_alloc); does an array grow without end?";
+        return memoryRanOut(memoryBytes);
       return fmt::format("an exception that nobody caught, {}.", printable(record.text));
     case CrashKind::kForbiddenCall:
       return forbiddenCall(record.systemCall, printable(record.text));
@@ -136,10 +143,11 @@ std::string crashPlace(const CrashRecord& record, const fs::path& program,
 }
 
 std::string crashSentence(const CrashRecord& record, const fs::path& program,
-                          const fs::path& courseworkFolder, Confinement* confinement) {
+                          const fs::path& courseworkFolder, std::size_t memoryBytes,
+                          Confinement* confinement) {
   const std::string place = crashPlace(record, program, courseworkFolder, false, confinement);
   return fmt::format("{}: {}", place.empty() ? "The coursework crashed" : place,
-                     whatHappened(record));
+                     whatHappened(record, memoryBytes));
 }
 
 }  // namespace pathmark

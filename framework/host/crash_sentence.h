@@ -8,6 +8,7 @@
 
 #include "worker/protocol.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -20,9 +21,9 @@ std::string crashPlace(const CrashRecord& record, const std::filesystem::path& p
                        const std::filesystem::path& courseworkFolder, bool callers = false,
                        Confinement* confinement = nullptr);
 
-// The whole sentence.
+// The whole sentence, of a worker that may have so much memory.
 std::string crashSentence(const CrashRecord& record, const std::filesystem::path& program,
-                          const std::filesystem::path& courseworkFolder,
+                          const std::filesystem::path& courseworkFolder, std::size_t memoryBytes,
                           Confinement* confinement = nullptr);
 
 // "a segmentation fault (SIGSEGV)".

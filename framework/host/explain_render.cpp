@@ -55,10 +55,11 @@ PlanLine replicates(const RenderSettings& settings) {
 // Of a picture with a stated error.
 std::vector<PlanLine> adaptiveLines(const RenderSettings& settings, double relativeError) {
   constexpr std::uint32_t kFilms = AdaptiveRender::kFilms, kPass = AdaptiveRender::kPilotRays;
-  const std::uint64_t passes = settings.raysPerPixel / kFilms / kPass;
+  const std::uint64_t most = AdaptiveRender::mostRays(settings.raysPerPixel);
+  const std::uint64_t passes = most / kFilms / kPass;
   return {{"rays",
            fmt::format("from {} to {} per pixel, as many as each tile needs for an error of {:g} %",
-                       kFilms * kPass, kFilms * kPass * passes, 100.0 * relativeError),
+                       kFilms * kPass, most, 100.0 * relativeError),
            "two halves of the picture decide for each other"},
           {"points",
            fmt::format("{}, for each of {} films, in {} of {}", nameOf(settings.sampler), kFilms,

@@ -7,7 +7,7 @@ namespace pathmark {
 namespace {
 
 bool isPossible(const PathEvent& event) {
-  const bool known = event.kind >= PathEventKind::kPath && event.kind <= PathEventKind::kRadiance;
+  const bool known = event.kind >= PathEventKind::kPath && event.kind <= PathEventKind::kLightPdf;
   if (!known || event.flag > 1) return false;
   if (event.kind == PathEventKind::kHit) return event.integer >= -1;
   return event.kind != PathEventKind::kRadiance || event.integer >= 0;

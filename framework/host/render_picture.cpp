@@ -3,6 +3,7 @@
 #include "film/image_file.h"
 #include "host/content_hash.h"
 #include "host/exit_code.h"
+#include "host/invalid_origin.h"
 
 #include <fmt/format.h>
 
@@ -73,11 +74,24 @@ void printPicture(const fs::path& output, const Coursework& coursework,
   std::fflush(stdout);
 }
 
+// Who has interrupted a render does not wait for the function's name.
+std::string originSentence(const Coursework& coursework, const LoadedScene& scene,
+                           const RenderOptions& options, const RenderedImage& rendered) {
+  if (rendered.invalid.count() == 0 || !rendered.complete) return {};
+  const RenderSettings settings = settingsFor(scene, options);
+  const std::string sentence =
+      invalidOrigin(coursework, scene, settings,
+                    {settings.replicates, settings.raysPerReplicate(), settings.raysPerPass()},
+                    rendered.invalid.firstPixel);
+  return sentence.empty() ? sentence : sentence + "\n";
+}
+
 // What is wrong with the picture, and how the render can be gone on with.
-int conclude(const RenderOutcome& outcome, const RenderOptions& options, CheckpointKeeper& keeper) {
+int conclude(const RenderOutcome& outcome, const RenderOptions& options, const std::string& origin,
+             CheckpointKeeper& keeper) {
   const RenderedImage& rendered = outcome.rendered;
   const std::string invalid = invalidSentence(rendered, options.estimator);
-  if (!invalid.empty()) fmt::print(stderr, "{}\n", invalid);
+  if (!invalid.empty()) fmt::print(stderr, "{}\n{}", invalid, origin);
   if (!rendered.complete) {
     fmt::print(stderr, "Interrupted: the picture has {} of {} rays per pixel.\n",
                raysMade(rendered), options.raysPerPixel);
@@ -119,7 +133,7 @@ int renderPicture(const Coursework& coursework, const LoadedScene& scene,
   }
   printPicture(request.output, coursework, outcome,
                unwrittenNote(scene, options.estimator, outcome.stubs));
-  return conclude(outcome, options, keeper);
+  return conclude(outcome, options, originSentence(coursework, scene, options, rendered), keeper);
 }
 
 }  // namespace pathmark

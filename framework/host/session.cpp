@@ -49,6 +49,14 @@ std::string solvedCoursework() {
   return fs::is_directory(kProjectFolder / "solutions") ? "solutions" : "student";
 }
 
+std::string courseworkChoices(const std::string& byDefault) {
+  constexpr const char* kFolder = "a folder of part*.cpp files";
+  if (solvedCoursework() != "solutions") return fmt::format("student (default) or {}", kFolder);
+  return byDefault == "solutions"
+             ? fmt::format("solutions (default where there are any), student, or {}", kFolder)
+             : fmt::format("student (default), solutions, or {}", kFolder);
+}
+
 std::string courseworkName(const std::string& with) {
   if (with == "student" || with == "solutions") return with;
   const fs::path normal = fs::absolute(with).lexically_normal();

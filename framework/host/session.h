@@ -42,6 +42,10 @@ std::filesystem::path findCoursework(const std::string& with);
 // "solutions" where they are, else "student": a student kit has no solutions.
 std::string solvedCoursework();
 
+// What --with can be, for --help: "student (default), solutions, or a folder of part*.cpp files".
+// `byDefault`: "student", or what solvedCoursework() says. Names solutions only where they are.
+std::string courseworkChoices(const std::string& byDefault);
+
 // How it is called in messages and file names.
 std::string courseworkName(const std::string& with);
 

@@ -3,6 +3,7 @@
 #include "host/build_config.h"
 #include "worker/protocol.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -38,6 +39,15 @@ void setLimit(decltype(RLIMIT_CORE) what, rlim_t value) {
 
 constexpr rlim_t kStackBytes = rlim_t{8} << 20;
 
+// Several workers run side by side, and each may have half of the memory. The system prefers what
+// has the highest number; anybody may raise his own.
+void offerToBeKilled() {
+  const int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+  if (file < 0) return;
+  [[maybe_unused]] const ssize_t written = write(file, "1000", 4);
+  close(file);
+}
+
 // Between fork and exec: calls that are safe there, and nothing else.
 [[noreturn]] void becomeWorker(const char* program, int socket, int text, int crash,
                                std::size_t memoryBytes, pid_t parent) {
@@ -46,6 +56,7 @@ constexpr rlim_t kStackBytes = rlim_t{8} << 20;
   if (getppid() != parent) _exit(127);
   placeWorkerDescriptors(socket, text, crash);
   close_range(kWorkerCrashPipe + 1, ~0u, 0);
+  offerToBeKilled();
   setLimit(RLIMIT_CORE, 0);
   setLimit(RLIMIT_STACK, kStackBytes);
   // Sanitizers reserve far more address space than they use.
@@ -60,6 +71,14 @@ WorkerChannels::WorkerChannels() {
   std::tie(socket, workerSocket) = makePair(true);
   std::tie(text, workerText) = makePair(false);
   std::tie(crash, workerCrash) = makePair(false);
+}
+
+std::size_t memoryForWorker() {
+  constexpr std::size_t kLeast = std::size_t{1} << 30, kMost = std::size_t{8} << 30;
+  const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || bytes <= 0) return kMost;
+  const std::size_t half = static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(bytes);
+  return std::clamp(half, kLeast, kMost);
 }
 
 void placeWorkerDescriptors(int socket, int text, int crash) {

@@ -1,4 +1,6 @@
 // launchWorker: starts a worker program with its descriptors in place and its limits set.
+//
+//   memoryForWorker   how much a worker may have
 #pragma once
 
 #include "host/shared_memory.h"
@@ -39,8 +41,12 @@ struct WorkerChannels {
 // exec: only calls that are safe there. Other descriptors stay open.
 void placeWorkerDescriptors(int socket, int text, int crash);
 
+// Bytes of address space: half of the machine's memory, at least 1 GiB and at most 8. Coursework
+// that allocates without end is refused more before the machine is short of it.
+std::size_t memoryForWorker();
+
 // The worker gets an empty standard input, no other descriptors of this process, and dies with
-// it. Throws std::system_error.
+// it. Where memory runs out nonetheless, it is the first to be killed. Throws std::system_error.
 LaunchedWorker launchWorker(const std::filesystem::path& program, std::size_t memoryBytes);
 
 }  // namespace pathmark

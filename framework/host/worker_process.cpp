@@ -393,7 +393,7 @@ void WorkerProcess::failDead() {
   if (crashRecord_)
     fail(faultOf(*crashRecord_),
          crashSentence(*crashRecord_, options_.program, options_.courseworkFolder,
-                       options_.confinement.get()));
+                       options_.limits.memoryBytes, options_.confinement.get()));
   if (alive)
     fail(WorkerFault::kNonsense,
          "The worker has closed its wire to the host: coursework must not close files that it has "
@@ -401,9 +401,12 @@ void WorkerProcess::failDead() {
   if (process_.startFailure)
     if (const std::string failure = process_.startFailure(); !failure.empty())
       throw ConfinementError(failure);
-  if (end.signal)
-    fail(faultOfSignal(*end.signal),
-         fmt::format("The coursework was ended by {}.", signalName(*end.signal)));
+  if (end.signal) {
+    const WorkerFault fault = faultOfSignal(*end.signal);
+    fail(fault, fmt::format("The coursework was ended by {}{}", signalName(*end.signal),
+                            fault == WorkerFault::kMemoryLimit ? "; does an array grow without end?"
+                                                               : "."));
+  }
   fail(WorkerFault::kEnded,
        fmt::format("The worker ended by itself with exit code {}: coursework functions must "
                    "return, and not call exit().",

@@ -68,7 +68,7 @@ class WorkerStopped : public std::exception {
 struct WorkerLimits {
   double secondsWithoutAnswer = 10.0;  // of a call, or of a render thread within one pixel's pass
   std::size_t outputBytes = std::size_t{1} << 20;  // that coursework may print
-  std::size_t memoryBytes = std::size_t{8} << 30;  // of address space
+  std::size_t memoryBytes = memoryForWorker();     // of address space
 };
 
 struct RecordedPixel {

@@ -122,7 +122,7 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       ->type_name("");
   command
       ->add_option("--with", arguments->app.request.with,
-                   "Coursework: student (default), solutions, or a folder of part*.cpp files")
+                   "Coursework: " + courseworkChoices("student"))
       ->type_name("DIR");
   takesWholeNumber(command
                        ->add_option("--part", arguments->app.part,
@@ -181,13 +181,13 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark preview\n"
       "  ./pathmark preview ucl_rectangle --part 2\n"
       "  ./pathmark preview veach_plates --part 8\n"
-      "  ./pathmark preview cornell_box --with solutions\n"
-      "  ./pathmark preview cornell_phong --with solutions --paths LS+DE --tab view\n"
+      "  ./pathmark preview cornell_phong --paths LS+DE --tab view\n"
+      "  ./pathmark preview cornell_box --with path/to/other/coursework\n"
       "  ./pathmark preview student/scenes/my_scene.json --scale 2\n"
       "  ./pathmark preview cornell_box --tab paths --pick 128,90 --after-rays 64 --screenshot "
       "window.png\n"
-      "  xvfb-run -s \"-screen 0 1280x800x24\" ./pathmark preview --after-rays 64 --screenshot "
-      "window.png\n"
+      "  xvfb-run -a -s \"-screen 0 1280x800x24 -noreset\" ./pathmark preview --after-rays 64 "
+      "--screenshot window.png\n"
       "                                        (where there is no display)\n\n"
       "In the window, ? shows the keys; handouts/preview.md explains the rest.\n"
       "Exit code: 0 closed, or the script is done; with --screenshot or --picture 1 if the "

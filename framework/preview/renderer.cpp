@@ -59,10 +59,11 @@ Image enlarged(const Image& small, int by, int width, int height) {
     for (int column = 0; column < width; ++column)
       for (const float value : small.pixel(column / by, row / by)) image.rgb.push_back(value);
   if (small.invalid.empty()) return image;
+  const auto across = static_cast<std::size_t>(small.width);
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
-      image.invalid.push_back(
-          small.invalid[static_cast<std::size_t>(row / by * small.width + column / by)]);
+      image.invalid.push_back(small.invalid[static_cast<std::size_t>(row / by) * across +
+                                            static_cast<std::size_t>(column / by)]);
   return image;
 }
 

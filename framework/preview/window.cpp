@@ -35,6 +35,8 @@ std::atomic<bool>& woken() {
   return flag;
 }
 
+// xvfb-run's exit code is the program's only if its server finds a number that no other has (-a),
+// and does not begin anew or end when the last window has gone (-noreset).
 std::string noDisplay() {
   const char* display = std::getenv("DISPLAY");
   const char* wayland = std::getenv("WAYLAND_DISPLAY");
@@ -43,7 +45,7 @@ std::string noDisplay() {
                                                  : "DISPLAY is not set";
   return fmt::format(
       "There is no display to open a window on ({}): run the preview on a desktop, or on a virtual "
-      "one with xvfb-run -s \"-screen 0 1280x800x24\" ./pathmark preview. ({})",
+      "one with xvfb-run -a -s \"-screen 0 1280x800x24 -noreset\" ./pathmark preview. ({})",
       where, lastError());
 }
 

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <new>
 #include <typeinfo>
 
 #include <cxxabi.h>
@@ -138,8 +139,11 @@ void onTerminate() {
       int status = 0;
       const std::unique_ptr<char, decltype(&std::free)> name(
           abi::__cxa_demangle(typeid(e).name(), nullptr, nullptr, &status), &std::free);
-      std::snprintf(record.text, sizeof record.text, "%s: %s",
-                    status == 0 ? name.get() : typeid(e).name(), e.what());
+      // Where memory has run out there is none for the name either.
+      const char* const known =
+          typeid(e) == typeid(std::bad_alloc) ? "std::bad_alloc" : typeid(e).name();
+      std::snprintf(record.text, sizeof record.text, "%s: %s", status == 0 ? name.get() : known,
+                    e.what());
     } catch (...) {
       std::snprintf(record.text, sizeof record.text, "a value that is no std::exception");
     }

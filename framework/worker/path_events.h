@@ -30,6 +30,8 @@ enum class PathEventKind : std::uint32_t {
   kRoulette,     // for throughput [a], depth [integer] and the number [x]: survives [flag] with
                  // weight [y]
   kRadiance,     // the path has ended, and has returned [a]; [integer] events of it were too many
+  kLightPdf,  // for lighting the point [a], the point [b] of a light has the density [x] per unit
+              // area
 };
 
 struct PathEvent {

@@ -25,10 +25,20 @@ LightSample sampleItself(const Light* light, const Point& from, float s, float t
 LightSample sampleRecorded(const Light* light, const Point& from, float s, float t)
     asm("__wrap__ZNK8pathmark5Light6sampleERKN3glm3vecILi3EfLNS1_9qualifierE0EEEff");
 
+float lightPdfItself(const Light* light, const Point& from, const Hit& at)
+    asm("__real__ZNK8pathmark5Light3pdfERKN3glm3vecILi3EfLNS1_9qualifierE0EEERKNS_3HitE");
+float lightPdfRecorded(const Light* light, const Point& from, const Hit& at)
+    asm("__wrap__ZNK8pathmark5Light3pdfERKN3glm3vecILi3EfLNS1_9qualifierE0EEERKNS_3HitE");
+
 Colour tracePathItself(const LitScene* scene, const Ray& ray, Sampler& sampler)
     asm("__real__ZNK8pathmark8LitScene9tracePathERKNS_3RayERNS_7SamplerE");
 Colour tracePathRecorded(const LitScene* scene, const Ray& ray, Sampler& sampler)
     asm("__wrap__ZNK8pathmark8LitScene9tracePathERKNS_3RayERNS_7SamplerE");
+
+Colour tracePathMisItself(const LitScene* scene, const Ray& ray, Sampler& sampler)
+    asm("__real__ZNK8pathmark8LitScene12tracePathMISERKNS_3RayERNS_7SamplerE");
+Colour tracePathMisRecorded(const LitScene* scene, const Ray& ray, Sampler& sampler)
+    asm("__wrap__ZNK8pathmark8LitScene12tracePathMISERKNS_3RayERNS_7SamplerE");
 
 Colour directLightingItself(const LitScene* scene, const Hit& hit, const Vector& wo,
                             Sampler& sampler)
@@ -84,10 +94,28 @@ LightSample sampleRecorded(const Light* light, const Point& from, float s, float
   return sample;
 }
 
+float lightPdfRecorded(const Light* light, const Point& from, const Hit& at) {
+  const float pdf = lightPdfItself(light, from, at);
+  if (PathRecorder* recorder = PathRecorder::ofThisThread()) {
+    PathEvent event = pathEvent(PathEventKind::kLightPdf, from, at.p);
+    event.x = pdf;
+    recorder->add(event);
+  }
+  return pdf;
+}
+
 Colour tracePathRecorded(const LitScene* scene, const Ray& ray, Sampler& sampler) {
   PathRecorder* recorder = PathRecorder::ofThisThread();
   if (recorder) recorder->beginPath(ray);
   const Colour radiance = tracePathItself(scene, ray, sampler);
+  if (recorder) recorder->endPath(radiance);
+  return radiance;
+}
+
+Colour tracePathMisRecorded(const LitScene* scene, const Ray& ray, Sampler& sampler) {
+  PathRecorder* recorder = PathRecorder::ofThisThread();
+  if (recorder) recorder->beginPath(ray);
+  const Colour radiance = tracePathMisItself(scene, ray, sampler);
   if (recorder) recorder->endPath(radiance);
   return radiance;
 }

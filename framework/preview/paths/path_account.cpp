@@ -54,6 +54,20 @@ double smallestCosine(const PathVertex& vertex) {
   return smallest;
 }
 
+// The weight of a sample that was drawn with density a, where the other technique has density b. No
+// square of a float is too large for a double.
+double powerHeuristic(double a, double b) {
+  if (a == b) return a == 0.0 ? 0.0 : 0.5;
+  return std::isinf(a) ? 1.0 : a * a / (a * a + b * b);
+}
+
+// Of a density per unit area at a point with normal n, as seen from `from`; 0 from behind.
+double perSolidAngle(float perArea, const Point& from, const Point& to, const Vector& n) {
+  const glm::dvec3 back = glm::dvec3(from) - glm::dvec3(to);
+  const double distance = glm::length(back), cosine = glm::dot(glm::dvec3(n), back) / distance;
+  return cosine > 0.0 ? static_cast<double>(perArea) * distance * distance / cosine : 0.0;
+}
+
 class Accountant {
  public:
   Accountant(const TracedPath& path, const AccountRules& rules) : path_(path), rules_(rules) {}
@@ -62,7 +76,8 @@ class Accountant {
     Colour throughput(1.0f);
     bool own = true;  // the camera's is 1, whatever the coursework says
     for (std::size_t k = 0; k < path_.vertices.size(); ++k) {
-      account_.vertices.push_back(contribute(k, throughput, own));
+      account_.vertices.push_back(rules_.mis ? contributeMis(k, throughput, own)
+                                             : contribute(k, throughput, own));
       account_.explained += account_.vertices[k].emission + account_.vertices[k].direct;
       throughput = step(k, throughput, own);
     }
@@ -95,6 +110,70 @@ class Accountant {
     return account;
   }
 
+  VertexAccount contributeMis(std::size_t k, const Colour& throughput, bool own) {
+    const PathVertex& vertex = path_.vertices[k];
+    VertexAccount account;
+    account.throughput = throughput;
+    account.own = own;
+    if (vertex.seenFromFront() && vertex.emission != Colour(0.0f)) {
+      account.emissionWeight = emissionWeight(k);
+      if (account.emissionWeight)
+        account.emission =
+            throughput * vertex.emission * static_cast<float>(*account.emissionWeight);
+      else
+        account_.known = false;
+    }
+    Colour sum(0.0f);
+    bool all = !vertex.direct;
+    for (const ShadowRay& ray : vertex.shadowRays) {
+      account.shadowRays.push_back(contributionOf(ray, vertex));
+      account.weights.push_back(lightWeight(ray, k));
+      const Colour& unweighted = account.shadowRays.back();
+      const std::optional<double>& weight = account.weights.back();
+      if (weight)
+        sum += unweighted * static_cast<float>(*weight);
+      else
+        all = all && unweighted == Colour(0.0f);
+      all = all && !unknown(ray);
+    }
+    if (!all)
+      account_.known = false;
+    else if (!vertex.shadowRays.empty())
+      account.found = sum;
+    if (account.found) account.direct = throughput * sum;
+    return account;
+  }
+
+  // One of many lights has been chosen with a probability that nobody but the coursework knows.
+  bool samplesAllLights(const PathVertex& vertex) const {
+    return !vertex.shadowRays.empty() && vertex.shadowRays.size() == rules_.lights;
+  }
+
+  std::optional<double> lightWeight(const ShadowRay& ray, std::size_t k) {
+    const PathVertex& vertex = path_.vertices[k];
+    if (!ray.brdfPdf) {
+      if (ray.visibility == Visibility::kVisible && ray.f)
+        account_.remarks.push_back(weightRemark(k, "the BRDF's pdf() towards the light sample"));
+      return std::nullopt;
+    }
+    if (!samplesAllLights(vertex)) return std::nullopt;
+    return powerHeuristic(perSolidAngle(ray.pdf, vertex.p, ray.to, ray.n),
+                          static_cast<double>(*ray.brdfPdf));
+  }
+
+  // The camera samples no lights.
+  std::optional<double> emissionWeight(std::size_t k) {
+    if (k == 0) return 1.0;
+    const PathVertex &vertex = path_.vertices[k], &before = path_.vertices[k - 1];
+    if (!vertex.lightPdf) {
+      account_.remarks.push_back(weightRemark(k, "Light::pdf() for what this vertex emits"));
+      return std::nullopt;
+    }
+    if (!samplesAllLights(before) || !before.next) return std::nullopt;
+    return powerHeuristic(static_cast<double>(before.next->pdf),
+                          perSolidAngle(*vertex.lightPdf, before.p, vertex.p, vertex.n));
+  }
+
   // The throughput at the next vertex.
   Colour step(std::size_t k, const Colour& throughput, bool& own) {
     const PathVertex& vertex = path_.vertices[k];
@@ -119,9 +198,13 @@ class Accountant {
       account_.remarks.push_back(tooLongRemark(path_.dropped));
       return;
     }
+    if (!account_.known) return;
     Colour size(0.0f);
     for (const VertexAccount& v : account_.vertices) size += v.emission + v.direct;
-    account_.fits = near(path_.radiance, account_.explained, 1e-4, size);
+    // Weights may come from a density that was computed in another way, of a narrow lobe.
+    constexpr double kRounding = 1e-4, kOfWeights = 1e-2;
+    account_.fits =
+        near(path_.radiance, account_.explained, rules_.mis ? kOfWeights : kRounding, size);
     if (!account_.fits) account_.remarks.push_back(sumRemark(path_, account_));
   }
 

@@ -48,7 +48,11 @@ void drawRemarks(const PathAccount& account) {
   const std::size_t count = account.remarks.size();
   for (std::size_t i = 0; i < std::min(count, kMost); ++i) warn(account.remarks[i]);
   if (count > kMost) warn(fmt::format("{} more like that", count - kMost));
-  if (count == 0) say("Its parts add up to that, and each step is f cos / pdf.");
+  if (count > 0) return;
+  say(account.known
+          ? "Its parts add up to that, and each step is f cos / pdf."
+          : "Each step is f cos / pdf. Whether the parts add up is not known, as where one "
+            "of several lights is chosen with a probability that only your code knows.");
 }
 
 void legend() {
@@ -195,6 +199,8 @@ void PathPanel::drawChosen(const Frame& frame) {
   drawRemarks(account);
   if (answer_->request.made.estimator == Estimator::kWarmUp)
     say("Part 0: f and pdf are those of the task, as your own cannot be seen.");
+  if (answer_->request.made.estimator == Estimator::kMis)
+    say("Part 8: light samples, and lights that are met, count by the power heuristic's weights.");
   throughputBar(frame.scale);
   vertexInTable_ = vertexTable(*answer_, selection_.path, selection_.vertex, frame.scale);
   const int told = vertexInTable_ >= 0 ? vertexInTable_ : selection_.vertex;

@@ -35,7 +35,7 @@ class PathReader {
         direct_ = nullptr;
         break;
       default:
-        direct_ != nullptr ? takeInDirect(e) : takeOnPath(e);
+        direct_ != nullptr ? takeOfLight(*direct_, e) : takeOnPath(e);
     }
   }
 
@@ -51,8 +51,9 @@ class PathReader {
     return last();
   }
 
-  void takeInDirect(const PathEvent& e) {
-    std::vector<ShadowRay>& rays = direct_->shadowRays;
+  // Of light that is sought for the vertex, by directLighting or by the path itself as in part 8.
+  static void takeOfLight(PathVertex& vertex, const PathEvent& e) {
+    std::vector<ShadowRay>& rays = vertex.shadowRays;
     if (e.kind == PathEventKind::kLightSample) {
       rays.push_back({vec(e.a), vec(e.b), e.x, vec(e.c)});
     } else if (e.kind == PathEventKind::kShadowRay) {
@@ -63,9 +64,14 @@ class PathReader {
                                             : Visibility::kBlocked;
           ray.blocker = vec(e.c);
         }
-    } else if (e.kind == PathEventKind::kBrdf) {
-      for (ShadowRay& ray : rays)
-        if (sameDirection(normalize(ray.to - direct_->p), vec(e.b))) ray.f = vec(e.c);
+    } else if (e.kind == PathEventKind::kBrdf || e.kind == PathEventKind::kPdf) {
+      for (ShadowRay& ray : rays) {
+        if (!sameDirection(normalize(ray.to - vertex.p), vec(e.b))) continue;
+        if (e.kind == PathEventKind::kBrdf)
+          ray.f = vec(e.c);
+        else
+          ray.brdfPdf = e.x;
+      }
     }
   }
 
@@ -82,10 +88,15 @@ class PathReader {
       return;
     } else if (e.kind == PathEventKind::kReflection) {
       vertex->next = Scattering{vec(e.b), e.x, dot(vec(e.b), vertex->n)};
-    } else if (e.kind == PathEventKind::kBrdf) {
-      if (vertex->next && sameDirection(vertex->next->wi, vec(e.b))) vertex->next->f = vec(e.c);
     } else if (e.kind == PathEventKind::kRoulette) {
       vertex->roulette = RouletteCall{vec(e.a), e.integer, e.x, e.flag != 0, e.y};
+    } else if (e.kind == PathEventKind::kLightPdf) {
+      if (vec(e.b) == vertex->p) vertex->lightPdf = e.x;
+    } else if (e.kind == PathEventKind::kBrdf && vertex->next &&
+               sameDirection(vertex->next->wi, vec(e.b))) {
+      vertex->next->f = vec(e.c);
+    } else {
+      takeOfLight(*vertex, e);
     }
   }
 

@@ -35,6 +35,9 @@ struct ShadowRay {
   Visibility visibility = Visibility::kNotAsked;
   Point blocker{0.0f};        // what stands in the way
   std::optional<Colour> f{};  // the BRDF towards it, if that was asked for
+
+  // With which reflection() would have gone there, per unit solid angle, if that was asked for.
+  std::optional<float> brdfPdf{};
 };
 
 // The direction in which the path goes on.
@@ -63,6 +66,10 @@ struct PathVertex {
   std::vector<ShadowRay> shadowRays{};
   std::optional<Scattering> next{};
   std::optional<RouletteCall> roulette{};
+
+  // With which the vertex before would have sampled this point of a light, per unit area, if
+  // that was asked for.
+  std::optional<float> lightPdf{};
 
   // Seen from the side that emits. Towards the origin of the ray, which is not on the surface.
   bool seenFromFront() const { return dot(origin - p, n) > 0.0f; }

@@ -17,6 +17,18 @@ namespace {
 
 constexpr double kSecondsWithoutAnswer = 5.0;
 
+// The functions that make the paths.
+std::vector<CourseworkFunction> tracersOf(Estimator estimator) {
+  switch (estimator) {
+    case Estimator::kWarmUp:
+      return {CourseworkFunction::kGetRayRadiance};
+    case Estimator::kMis:
+      return {CourseworkFunction::kTracePathMis};
+    default:
+      return {CourseworkFunction::kRenderPixel, CourseworkFunction::kTracePath};
+  }
+}
+
 // A sentence, for which there can be no paths.
 class NoPaths : public std::runtime_error {
  public:
@@ -74,7 +86,9 @@ std::string pixelRemark(const FilmPixel& pixel, const PathAnswer& answer,
     return fmt::format("There is room for the first {} of {} paths only.", answer.paths.size(),
                        counts.paths);
   if (counts.result.invalid.count() > 0)
-    return "renderPixel returned NaN, infinity or a negative value, which the picture leaves out.";
+    return fmt::format(
+        "{} returned NaN, infinity or a negative value, which the picture leaves out.",
+        contractOf(tracersOf(answer.request.made.estimator).front()).name);
   if (pixel.rays > 0.0 && !near(answer.pixel, meanOf(answer.paths)))
     return fmt::format("renderPixel returned {}, but the mean of its {} paths is {}.",
                        shortColour(answer.pixel), answer.paths.size(),
@@ -166,17 +180,10 @@ FilmPixel PathRecording::pixelOf(const PathRequest& request,
 }
 
 void PathRecording::requireWritten(const PathRequest& request) {
-  if (request.made.estimator == Estimator::kMis)
-    throw NoPaths(
-        "No paths to see: those of tracePathMIS are not recorded. With part 5 in the menu, those "
-        "of tracePath are.");
   const StubReport stubs = makeStubReport(worker_->stubs());
-  const bool warmUp = request.made.estimator == Estimator::kWarmUp;
-  for (const CourseworkFunction f :
-       {CourseworkFunction::kGetRayRadiance, CourseworkFunction::kRenderPixel,
-        CourseworkFunction::kTracePath}) {
+  for (const CourseworkFunction f : tracersOf(request.made.estimator)) {
     const FunctionContract& function = contractOf(f);
-    if ((function.part == 0) == warmUp && stubs.isUnwritten(f))
+    if (stubs.isUnwritten(f))
       throw NoPaths(fmt::format("No paths to see: {} (part {}) is not written yet.", function.name,
                                 function.part));
   }
@@ -202,7 +209,8 @@ void PathRecording::fill(PathAnswer& answer) {
   answer.paths.resize(std::min<std::size_t>(answer.paths.size(), request.rays));
   answer.mean = meanOf(answer.paths);
   const AccountRules rules{request.made.estimator == Estimator::kWarmUp,
-                           request.scene->loaded.flat.lights.size()};
+                           request.scene->loaded.flat.lights.size(),
+                           request.made.estimator == Estimator::kMis};
   for (const TracedPath& path : answer.paths) answer.accounts.push_back(accountFor(path, rules));
 }
 

@@ -59,10 +59,16 @@ std::string stepReason(const ThroughputStep& step) {
 
 // The likeliest reason for a sum that does not fit.
 std::string sumReason(const Colour& missing, const TracedPath& path, const PathAccount& account) {
-  Colour withoutThroughput(0.0f);
+  Colour withoutThroughput(0.0f), withoutWeights(0.0f);
   for (std::size_t k = 0; k < path.vertices.size(); ++k) {
     const PathVertex& vertex = path.vertices[k];
     const VertexAccount& v = account.vertices[k];
+    if (v.emissionWeight && close(missing, v.throughput * vertex.emission - v.emission))
+      return fmt::format(" What vertex {} emits has not been weighted.", k + 1);
+    if (v.found) {
+      withoutWeights -= v.direct;
+      for (const Colour& c : v.shadowRays) withoutWeights += v.throughput * c;
+    }
     if (k > 0 && vertex.seenFromFront() && close(missing, v.throughput * vertex.emission))
       return fmt::format(
           " That is what vertex {} emits: direct lighting at the vertex before has counted it.",
@@ -71,8 +77,12 @@ std::string sumReason(const Colour& missing, const TracedPath& path, const PathA
       return " What vertex 1 emits towards the camera is missing.";
     if (close(missing, -v.direct))
       return fmt::format(" The direct light of vertex {} is missing.", k + 1);
+    if (k > 0 && close(missing, -v.emission))
+      return fmt::format(" What vertex {} emits is missing.", k + 1);
     if (vertex.direct) withoutThroughput += *vertex.direct - v.direct;
+    if (v.found) withoutThroughput += *v.found - v.direct;
   }
+  if (close(missing, withoutWeights)) return " Light samples have not been weighted.";
   if (close(missing, withoutThroughput))
     return " Direct light has not been multiplied by the throughput.";
   return "";
@@ -107,6 +117,12 @@ std::string sumRemark(const TracedPath& path, const PathAccount& account) {
   return fmt::format("The path returned {}, but its parts add up to {}.{}",
                      shortColour(path.radiance), shortColour(account.explained),
                      sumReason(path.radiance - account.explained, path, account));
+}
+
+std::string weightRemark(std::size_t k, std::string_view notAsked) {
+  return fmt::format(
+      "Vertex {}: {} has not been called, and the weight of what is found cannot do without.",
+      k + 1, notAsked);
 }
 
 std::string tooLongRemark(int dropped) {

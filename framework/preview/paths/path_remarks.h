@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace pathmark::preview {
 
@@ -24,6 +25,8 @@ struct ThroughputStep {
 std::string stepRemark(std::size_t k, const ThroughputStep& step);
 std::string directRemark(std::size_t k, const Colour& returned, const Colour& sum);
 std::string sumRemark(const TracedPath& path, const PathAccount& account);
+// Of part 8: a weight cannot be right, since that has not been asked for.
+std::string weightRemark(std::size_t k, std::string_view notAsked);
 std::string tooLongRemark(int dropped);
 
 }  // namespace pathmark::preview

@@ -49,6 +49,8 @@ void vertexRow(const TracedPath& path, const PathAccount& account, std::size_t k
   colourCell(v.throughput);
   if (vertex.direct)
     cell(shortNumber(luminance(*vertex.direct)) + (v.directFits ? "" : " !"));
+  else if (v.found)
+    cell(shortNumber(luminance(*v.found)));
   else
     ImGui::TableNextColumn();
   if (!vertex.next) {

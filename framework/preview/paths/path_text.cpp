@@ -33,17 +33,27 @@ std::string visibilityText(const PathVertex& vertex, const ShadowRay& ray,
   return faceEachOther(vertex, ray) ? "visible() not called" : "behind one of the two surfaces";
 }
 
-void describeShadowRay(const PathVertex& vertex, const ShadowRay& ray, const Colour& contribution,
+std::string weightText(const std::optional<double>& weight) {
+  return weight ? fmt::format(", weight {}", shortNumber(*weight)) : std::string();
+}
+
+void describeShadowRay(const PathVertex& vertex, const VertexAccount& account, std::size_t i,
                        const LoadedScene& scene, std::vector<std::string>& lines) {
+  const ShadowRay& ray = vertex.shadowRays[i];
+  const Colour& contribution = account.shadowRays[i];
   const double scale = scene.normalisation.scale;
   lines.push_back(fmt::format("  light at {}: {}", vectorText(inFile(ray.to, scene)),
                               visibilityText(vertex, ray, scene)));
   std::string numbers =
       fmt::format("  pdf {} per area", shortNumber(static_cast<double>(ray.pdf) * scale * scale));
   if (ray.f) numbers += fmt::format(", f {}", shortColour(*ray.f));
+  if (ray.brdfPdf)
+    numbers += fmt::format(", BRDF's pdf {}", shortNumber(static_cast<double>(*ray.brdfPdf)));
   lines.push_back(numbers);
   if (contribution != Colour(0.0f))
-    lines.push_back(fmt::format("  Le f G V / pdf = {}", shortColour(contribution)));
+    lines.push_back(
+        fmt::format("  Le f G V / pdf = {}{}", shortColour(contribution),
+                    i < account.weights.size() ? weightText(account.weights[i]) : std::string()));
 }
 
 void describeDirection(const Scattering& next, std::vector<std::string>& lines) {
@@ -102,13 +112,13 @@ std::vector<std::string> describeVertex(const TracedPath& path, const PathAccoun
   lines.push_back(fmt::format("throughput {}{}", shortColour(v.throughput),
                               v.own ? "" : " (f cos / pdf multiplied up)"));
   if (vertex.emission != Colour(0.0f))
-    lines.push_back(fmt::format("emits {}, which adds {}", shortColour(vertex.emission),
-                                shortColour(v.emission)));
+    lines.push_back(fmt::format("emits {}, which adds {}{}", shortColour(vertex.emission),
+                                shortColour(v.emission), weightText(v.emissionWeight)));
   if (vertex.direct)
     lines.push_back(fmt::format("directLighting returned {}, which adds {}",
                                 shortColour(*vertex.direct), shortColour(v.direct)));
   for (std::size_t i = 0; i < vertex.shadowRays.size(); ++i)
-    describeShadowRay(vertex, vertex.shadowRays[i], v.shadowRays[i], scene, lines);
+    describeShadowRay(vertex, v, i, scene, lines);
   if (vertex.next) describeDirection(*vertex.next, lines);
   if (vertex.roulette) lines.push_back(rouletteText(*vertex.roulette));
   return lines;

@@ -1,5 +1,6 @@
 // Drawing: what is drawn is where it was asked for, and nowhere else.
 #include "film/canvas.h"
+#include "film/ascii_text.h"
 #include "film/contact_sheet.h"
 #include "film/text.h"
 
@@ -73,9 +74,22 @@ TEST(Canvas, NoLetterReachesBelowTheTextHeight) {
   }
 }
 
-TEST(Canvas, WhatIsNotAsciiIsAQuestionMark) {
-  EXPECT_EQ(textDots("caf\xc3\xa9").set, textDots("caf?").set);
-  EXPECT_EQ(textDots("a\tb").set, textDots("a?b").set);
+TEST(Canvas, LatinLettersAreShownWithoutTheirMarks) {
+  EXPECT_EQ(textDots("caf\u00e9").set, textDots("cafe").set);
+  EXPECT_EQ(asciiText("M\u00fcller, \u00d6zg\u00fcr, Stra\u00dfe, \u00c5se, S\u00f8ren"),
+            "Muller, Ozgur, Strasse, Ase, Soren");
+  EXPECT_EQ(
+      asciiText("\u0141ukasz, \u0160i\u0161ka, Dvo\u0159\u00e1k, Erd\u0151s, \u0130n\u00f6n\u00fc"),
+      "Lukasz, Siska, Dvorak, Erdos, Inonu");
+  EXPECT_EQ(asciiText("\u00c0\u00ff\u0100\u017f\u0178\u017e\u0149\u0138"), "AyAsYz'nk");
+  EXPECT_EQ(asciiText("Mu\u0308ller"), "Muller") << "with a mark of its own, as in file names";
+}
+
+TEST(Canvas, WhatTheFontHasNoLetterForIsAQuestionMark) {
+  EXPECT_EQ(asciiText("\u674e \U0001f600 a\tb"), "? ? a?b");
+  EXPECT_EQ(asciiText("M\xfcller"), "M?ller") << "in Latin-1, which is no UTF-8";
+  EXPECT_EQ(asciiText("ab\xc3"), "ab?") << "cut off";
+  EXPECT_EQ(asciiText(""), "");
 }
 
 // The letters cover the same part of the canvas at every size, up to its square.
@@ -132,6 +146,17 @@ TEST(ContactSheet, LongLabelsAndReasonsStayWithinTheirTile) {
   for (int y = 0; y < sheet.height; ++y)
     for (int x = sheet.width / 2; x < sheet.width; ++x)
       ASSERT_EQ(at(sheet, x, y), at(empty, x, y)) << x << " " << y;
+}
+
+// A label is cut between letters: the sheet is that of the same letters without marks.
+TEST(ContactSheet, LongLabelsAreCutBetweenLetters) {
+  std::string marked, plain;
+  for (int k = 0; k < 200; ++k) {
+    marked += "\u00fc";
+    plain += "u";
+  }
+  EXPECT_EQ(drawContactSheet(std::vector<SheetTile>{{.label = marked}}, 160).rgb,
+            drawContactSheet(std::vector<SheetTile>{{.label = plain}}, 160).rgb);
 }
 
 TEST(ContactSheet, NoTilesAreASheetToo) { EXPECT_GT(drawContactSheet({}, 16).width, 0); }

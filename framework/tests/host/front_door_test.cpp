@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
@@ -49,6 +51,64 @@ TEST(FrontDoor, WorksThroughALinkAndFromAnyFolder) {
   TemporaryFolder folder;
   std::filesystem::create_symlink(kFrontDoor, folder / "pathmark");
   EXPECT_EQ(run({"./pathmark", "--help"}, folder.path()).exitCode, 0);
+}
+
+// A copy of the script in a folder of its own, with tools that only say what they would do.
+class FrontDoorBuild : public testing::Test {
+ protected:
+  FrontDoorBuild() {
+    std::filesystem::copy_file(kFrontDoor, folder_ / "pathmark");
+    std::filesystem::create_directory(folder_ / "tools");
+    write("apt-get", "exit 1");
+    write("dpkg-query", "echo installed");
+    write("cmake", "mkdir -p build/release; touch build/release/build.ninja");
+  }
+
+  // A build of so many steps.
+  void setSteps(int steps) {
+    write("ninja",
+          "program=$2/bin/pathmark\n"
+          "if [ \"$3\" = -n ]; then\n"
+          "  [ -e \"$program\" ] && echo 'ninja: no work to do.' && exit\n"
+          "  for k in $(seq " +
+              std::to_string(steps) +
+              "); do echo \"[$k] CXX\"; done\n"
+              "else\n"
+              "  mkdir -p \"$2/bin\"\n"
+              "  printf '#!/bin/sh\\necho the program\\n' >\"$program\"; chmod +x \"$program\"\n"
+              "fi");
+  }
+
+  ProcessResult status() {
+    return run({"/usr/bin/env", "PATH=" + (folder_ / "tools").string() + ":/usr/bin:/bin",
+                (folder_ / "pathmark").string(), "status"});
+  }
+
+  TemporaryFolder folder_;
+
+ private:
+  void write(const std::string& tool, const std::string& code) {
+    const std::filesystem::path file = folder_ / "tools" / tool;
+    std::ofstream(file) << "#!/bin/sh\n" << code << "\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  }
+};
+
+TEST_F(FrontDoorBuild, SaysOnceThatAWholeBuildTakesMinutes) {
+  setSteps(345);
+  const ProcessResult first = status();
+  expectSays(first, 0, "takes some minutes (345 steps)");
+  expectSays(first, 0, "the program");
+  const ProcessResult second = status();
+  expectSays(second, 0, "the program");
+  EXPECT_EQ(second.output.find("minutes"), std::string::npos) << second.output;
+}
+
+TEST_F(FrontDoorBuild, SaysNothingOfMinutesWhereLittleHasChanged) {
+  setSteps(3);
+  const ProcessResult result = status();
+  expectSays(result, 0, "the program");
+  EXPECT_EQ(result.output.find("minutes"), std::string::npos) << result.output;
 }
 
 TEST(FrontDoor, HasEveryCommandOfTheProgram) {

@@ -190,7 +190,7 @@ TEST_F(RecordedPathsReply, IsRefusedWithWhatCannotHaveHappened) {
     return believed(1, {begin_, changed, end_});
   };
   EXPECT_FALSE(with([](PathEvent& e) { e.kind = static_cast<PathEventKind>(0); }));
-  EXPECT_FALSE(with([](PathEvent& e) { e.kind = static_cast<PathEventKind>(13); }));
+  EXPECT_FALSE(with([](PathEvent& e) { e.kind = static_cast<PathEventKind>(14); }));
   EXPECT_FALSE(with([](PathEvent& e) { e.kind = static_cast<PathEventKind>(0xffffffffu); }));
   EXPECT_FALSE(with([](PathEvent& e) { e.flag = 2; }));
   EXPECT_FALSE(with([](PathEvent& e) { e.integer = -2; }));

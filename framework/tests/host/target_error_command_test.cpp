@@ -44,6 +44,18 @@ TEST_F(TargetError, WritesThePictureItsErrorAndTheMapOfRays) {
              0, "which is white");
 }
 
+TEST_F(TargetError, RaysThatAreAllowedAndNotMadeAreTold) {
+  const auto withAtMost = [&](const char* rays) {
+    return render({"--target-error", "1%", "--sampler", "pcg", "--rays-per-pixel", rays});
+  };
+  const ProcessResult odd = withAtMost("127");
+  expectSays(odd, 0, "Of the 127 rays per pixel that are allowed at most 64 are made");
+  expectSays(odd, 0, "6 of them would have needed more than 64 rays per pixel.");
+  const ProcessResult even = withAtMost("128");
+  expectSays(even, 0, "128.0 rays per pixel in the mean");
+  EXPECT_EQ(even.output.find("are allowed"), std::string::npos) << even.output;
+}
+
 TEST_F(TargetError, WhatDoesNotGoTogetherIsASentence) {
   expectSays(render({"--target-error", "0%"}), 2, "such as 1% or 0.01");
   expectSays(render({"--target-error", "fine"}), 2, "such as 1% or 0.01");

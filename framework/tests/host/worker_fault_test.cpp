@@ -7,7 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <unistd.h>
 
 namespace pathmark::test {
 namespace {
@@ -32,8 +39,8 @@ RenderedImage renderWith(WorkerProcess& worker, int size = 32, std::uint32_t thr
   return renderImage(worker, settings, [](const RenderStatus&) { return true; });
 }
 
-Failure failureOf(TestCoursework& coursework) {
-  const auto worker = coursework.start(shortLimits());
+Failure failureOf(TestCoursework& coursework, const WorkerLimits& limits = shortLimits()) {
+  const auto worker = coursework.start(limits);
   const pid_t pid = worker->pid();
   try {
     renderWith(*worker);
@@ -154,6 +161,54 @@ TEST(WorkerFault, EndlessAllocationEndsInASentence) {
   // AddressSanitizer ends the program itself where operator new would throw.
   EXPECT_EQ(failure.fault, build::kSanitized ? WorkerFault::kEnded : WorkerFault::kMemoryLimit);
   if (!build::kSanitized) expectContains(failure.sentence, "memory ran out");
+}
+
+// Then there is no memory left for whoever is to report it either.
+TEST(WorkerFault, MemoryThatIsTakenBitByBitEndsInASentence) {
+  if (build::kSanitized) GTEST_SKIP() << "sanitizers need more address space than can be limited";
+  TestCoursework coursework;
+  coursework.setTracePath(
+      "(void)ray; (void)sampler;\nstruct Link { Link* next; float numbers[30]; };\n"
+      "Link* volatile chain = nullptr;\nfor (;;) chain = new Link{chain, {1.0f}};\n"
+      "return Colour(chain->numbers[0]);");
+  WorkerLimits limits;
+  limits.memoryBytes = std::size_t{512} << 20;
+  const Failure failure = failureOf(coursework, limits);
+  EXPECT_EQ(failure.fault, WorkerFault::kMemoryLimit);
+  expectContains(failure.sentence, "part5_path.cpp:7, in LitScene::tracePath: memory ran out");
+  expectContains(failure.sentence, "allowed are 512 MiB");
+}
+
+TEST(WorkerFault, AWorkerThatTheSystemKillsIsSaidToLackMemory) {
+  TestCoursework coursework;
+  coursework.write("part5_path.cpp",
+                   "#include <pathmark/coursework.h>\n#include <csignal>\nnamespace pathmark {\n"
+                   "Colour LitScene::tracePath(const Ray&, Sampler&) const {\n"
+                   "  return Colour(static_cast<float>(std::raise(SIGKILL)));\n}\n}\n");
+  const Failure failure = failureOf(coursework);
+  EXPECT_EQ(failure.fault, WorkerFault::kMemoryLimit);
+  expectContains(failure.sentence, "short of memory; does an array grow without end?");
+}
+
+std::string wordOf(pid_t process, const std::string& file, const std::string& before) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/" + file);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::size_t at = text.find(before);
+  if (at == std::string::npos) return text;
+  const std::size_t begin = text.find_first_not_of(' ', at + before.size());
+  return text.substr(begin, text.find_first_of(" \n", begin) - begin);
+}
+
+TEST(WorkerFault, AWorkerMayHaveHalfOfTheMemoryAndIsKilledFirst) {
+  TestCoursework coursework;
+  const auto worker = coursework.start();
+  EXPECT_EQ(wordOf(worker->pid(), "oom_score_adj", ""), "1000");
+  if (build::kSanitized) GTEST_SKIP() << "sanitizers need more address space than can be limited";
+  const auto all = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                   static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+  const std::uint64_t allowed = std::stoull(wordOf(worker->pid(), "limits", "Max address space"));
+  EXPECT_LE(allowed, std::max(all / 2, std::uint64_t{1} << 30));
+  EXPECT_EQ(allowed, WorkerLimits{}.memoryBytes);
 }
 
 TEST(WorkerFault, LoopBeforeMainIsStopped) {

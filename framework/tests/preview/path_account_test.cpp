@@ -172,5 +172,70 @@ TEST_F(PathOfTwo, OfWhichTheEndIsLeftOutIsNotJudged) {
   expectRemark("5 calls at its end are left out");
 }
 
+// The same floor as part 8 sees it: the lamp is sampled by the path itself, and the path goes on to
+// a second face of it. Densities per unit solid angle: of the sample 0.5 * 2^2 / 1 = 2, of the face
+// that is met 0.5 * 1^2 / 0.866.
+class PathOfPart8 : public PathOfTwo {
+ protected:
+  PathOfPart8() {
+    floor().direct.reset();
+    floor().shadowRays[0].brdfPdf = 1.0f;
+    wall().direct.reset();
+    wall().next.reset();
+    wall().roulette.reset();
+    wall().emission = Colour(8.0f);
+    wall().lightPdf = 0.5f;
+    path_.radiance = Colour(kSampled) + kThroughput * 8.0f * kMet;
+  }
+
+  const AccountRules rules_{.mis = true};
+  const Colour kThroughput{1.5f, 1.0f, 0.5f};
+  static constexpr float kSampled = 4.0f / (4.0f + 1.0f);       // weight; unweighted it is 1
+  static constexpr float kMet = 0.04f / (0.04f + 1.0f / 3.0f);  // weight
+};
+
+TEST_F(PathOfPart8, AddsUpByTheWeightsOfThePowerHeuristic) {
+  const PathAccount account = accountFor(path_, rules_);
+  EXPECT_TRUE(account.known && account.fits);
+  EXPECT_TRUE(account.remarks.empty()) << account.remarks[0];
+  ASSERT_TRUE(account.vertices[0].weights.at(0));
+  EXPECT_NEAR(*account.vertices[0].weights[0], kSampled, 1e-6);
+  ASSERT_TRUE(account.vertices[1].emissionWeight);
+  EXPECT_NEAR(*account.vertices[1].emissionWeight, kMet, 1e-6);
+  EXPECT_NEAR(account.vertices[1].emission.r, 1.5f * 8.0f * kMet, 1e-5);
+}
+
+TEST_F(PathOfPart8, SeesWhatHasNotBeenWeighted) {
+  path_.radiance = Colour(kSampled) + kThroughput * 8.0f;
+  EXPECT_NE(remark(rules_).find("What vertex 2 emits has not been weighted."), std::string::npos);
+  path_.radiance = Colour(1.0f) + kThroughput * 8.0f * kMet;
+  EXPECT_NE(remark(rules_).find("Light samples have not been weighted."), std::string::npos);
+  path_.radiance = Colour(kSampled);
+  EXPECT_NE(remark(rules_).find("What vertex 2 emits is missing."), std::string::npos);
+}
+
+TEST_F(PathOfPart8, SeesThatADensityHasNotBeenAskedFor) {
+  wall().lightPdf.reset();
+  EXPECT_EQ(remark(rules_).find("Vertex 2: Light::pdf()"), 0u);
+  wall().lightPdf = 0.5f;
+  floor().shadowRays[0].brdfPdf.reset();
+  EXPECT_EQ(remark(rules_).find("Vertex 1: the BRDF's pdf()"), 0u);
+}
+
+TEST_F(PathOfPart8, IsNotJudgedWhereOneOfSeveralLightsWasChosen) {
+  AccountRules two = rules_;
+  two.lights = 2;
+  path_.radiance *= 3.0f;
+  const PathAccount account = accountFor(path_, two);
+  EXPECT_FALSE(account.known);
+  EXPECT_TRUE(account.remarks.empty()) << account.remarks[0];
+}
+
+TEST_F(PathOfPart8, WhatTheCameraSeesCountsFully) {
+  floor().emission = Colour(5.0f);
+  path_.radiance += Colour(5.0f);
+  EXPECT_TRUE(accountFor(path_, rules_).remarks.empty());
+}
+
 }  // namespace
 }  // namespace pathmark::preview

@@ -141,12 +141,36 @@ Colour LitScene::renderPixel(int, int, const SimpleCamera&, int, Sampler&) const
             "No paths to see: LitScene::renderPixel (part 1) is not written yet.");
 }
 
-TEST_F(PathEngineTest, OfTracePathMisSaysThatItsPathsAreNotRecorded) {
+std::string part8With(const std::string& tracePathMis) {
+  return "float powerHeuristic(float, float) { return 1.0f; }\n"
+         "float solidAnglePdf(const Point&, const LightSample&) { return 1.0f; }\n"
+         "Colour LitScene::tracePathMIS(const Ray&, Sampler& sampler) const {\n" +
+         tracePathMis + "\n}";
+}
+
+TEST_F(PathEngineTest, OfPart8HasThePathsOfTracePathMis) {
   TestCoursework coursework;
+  coursework.setFile("part8_mis.cpp", part8With("return Colour(sampler.next1D());"));
+  coursework.setTracePath("(void)ray; (void)sampler; return Colour(2.0f);");
+  request_.made = pictureOfPart(8);
+  request_.rays = 10;
+  const auto answer = answerTo(coursework);
+  EXPECT_EQ(answer->failure, "");
+  EXPECT_EQ(answer->remark, "");
+  ASSERT_EQ(answer->paths.size(), 10u);
+  for (const TracedPath& path : answer->paths) EXPECT_LT(path.radiance.r, 1.0f);
+  EXPECT_NE(answer->paths[0].radiance, answer->paths[1].radiance);
+}
+
+TEST_F(PathEngineTest, OfPart8SaysIfTracePathMisIsNotWritten) {
+  TestCoursework coursework;
+  coursework.setFile("part8_mis.cpp",
+                     part8With("(void)sampler;\n"
+                               "PATHMARK_UNIMPLEMENTED(\"part8_mis.cpp\", "
+                               "\"LitScene::tracePathMIS\");\nreturn Colour(0.0f);"));
   request_.made = pictureOfPart(8);
   EXPECT_EQ(answerTo(coursework)->failure,
-            "No paths to see: those of tracePathMIS are not recorded. With part 5 in the menu, "
-            "those of tracePath are.");
+            "No paths to see: LitScene::tracePathMIS (part 8) is not written yet.");
 }
 
 TEST_F(PathEngineTest, OfCodeThatDoesNotCompileSaysSo) {

@@ -92,6 +92,37 @@ TEST(PathRecord, TellsQuestionsOfShadowRaysFromThoseOfThePath) {
   EXPECT_EQ(vertex.next->f, Colour(0.25f));
 }
 
+// In part 8 the path itself looks for light, with two kinds of densities for the same direction.
+TEST(PathRecord, HasTheLightThatAPathSamplesAndMeetsByItself) {
+  PathEvent visible = event(PathEventKind::kShadowRay, kFloor, kLamp);
+  visible.flag = 1;
+  const Vector sidewards(1.0f, 0.0f, 0.0f);
+  const Point onWall(1.0f, 0.0f, 0.0f);
+  const auto paths = readPaths(std::vector{
+      event(PathEventKind::kPath),
+      event(PathEventKind::kHit, kFloor, kUp),
+      event(PathEventKind::kLightSample, kLamp, kDown, Colour(7.0f), 0.25f),
+      visible,
+      event(PathEventKind::kPdf, kUp, kUp, kUp, 0.75f),
+      event(PathEventKind::kBrdf, kUp, kUp, Colour(0.125f)),
+      event(PathEventKind::kReflection, kUp, sidewards, kUp, 0.5f),
+      event(PathEventKind::kBrdf, kUp, sidewards, Colour(0.25f)),
+      event(PathEventKind::kHit, onWall, -sidewards, Colour(7.0f)),
+      event(PathEventKind::kLightPdf, kFloor, onWall, kUp, 0.375f),
+      event(PathEventKind::kRadiance),
+  });
+  ASSERT_EQ(paths.size(), 1u);
+  ASSERT_EQ(paths[0].vertices.size(), 2u);
+  const PathVertex &floor = paths[0].vertices[0], &wall = paths[0].vertices[1];
+  ASSERT_EQ(floor.shadowRays.size(), 1u);
+  EXPECT_EQ(floor.shadowRays[0].visibility, Visibility::kVisible);
+  EXPECT_EQ(floor.shadowRays[0].brdfPdf, 0.75f);
+  EXPECT_EQ(floor.shadowRays[0].f, Colour(0.125f));
+  EXPECT_EQ(floor.next->f, Colour(0.25f));
+  EXPECT_FALSE(floor.lightPdf);
+  EXPECT_EQ(wall.lightPdf, 0.375f);
+}
+
 // The host has seen to whole paths only: within them anything may come.
 TEST(PathRecord, TakesAnyEventsWithinAPath) {
   constexpr float kNumbers[] = {0.0f,
@@ -108,7 +139,9 @@ TEST(PathRecord, TakesAnyEventsWithinAPath) {
   for (int k = 0; k < 2000; ++k) {
     std::vector<PathEvent> events{event(PathEventKind::kPath, vector(), vector())};
     for (int i = 0; i < 12; ++i) {
-      const auto kind = static_cast<PathEventKind>(2 + random() % 10);
+      constexpr unsigned kLightPdf = static_cast<unsigned>(PathEventKind::kLightPdf);
+      const auto which = static_cast<unsigned>(2 + random() % 11);  // no end among them
+      const auto kind = static_cast<PathEventKind>(which == 12 ? kLightPdf : which);
       events.push_back(event(kind, vector(), vector(), vector(), number()));
       events.back().integer = static_cast<int>(random() % 3) - 1;
       events.back().flag = random() % 2;
@@ -117,7 +150,8 @@ TEST(PathRecord, TakesAnyEventsWithinAPath) {
     events.push_back(event(PathEventKind::kRadiance, vector()));
     const auto paths = readPaths(events);
     ASSERT_EQ(paths.size(), 1u);
-    const PathAccount account = accountFor(paths[0], {random() % 2 == 0, random() % 3});
+    const PathAccount account =
+        accountFor(paths[0], {random() % 2 == 0, random() % 3, random() % 2 == 0});
     ASSERT_EQ(account.vertices.size(), paths[0].vertices.size());
     for (std::size_t v = 0; v < paths[0].vertices.size(); ++v) {
       ASSERT_EQ(account.vertices[v].shadowRays.size(), paths[0].vertices[v].shadowRays.size());

@@ -216,10 +216,30 @@ TEST_F(Preview, FillsAHighDensityWindow) {
   EXPECT_GT(below("scale2.png"), 2.0 * below("scale1.png"));
 }
 
+ProcessResult previewWithoutDisplay() {
+  return run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", PATHMARK_PROGRAM, "preview",
+              "--with", "student"});
+}
+
 TEST(PreviewWithoutDisplay, SaysSo) {
-  const ProcessResult result = run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
-                                    PATHMARK_PROGRAM, "preview", "--with", "student"});
-  expectSays(result, 3, "There is no display to open a window on (DISPLAY is not set)");
+  expectSays(previewWithoutDisplay(), 3,
+             "There is no display to open a window on (DISPLAY is not set)");
+}
+
+// With the command that is recommended then, also beside another such command, and when the last
+// window is closed before the program ends.
+TEST(PreviewWithoutDisplay, TheProgramsExitCodeIsKept) {
+  const std::string sentence = previewWithoutDisplay().output;
+  const std::size_t begin = sentence.find("xvfb-run"), end = sentence.find(" ./pathmark");
+  ASSERT_TRUE(begin != std::string::npos && end != std::string::npos && begin < end) << sentence;
+  const std::string command = sentence.substr(begin, end - begin);
+  TemporaryFolder folder;
+  const ProcessResult result =
+      run({"/bin/sh", "-c",
+           command + " sleep 3 & sleep 1; " + command +
+               " sh -c 'xdotool getmouselocation; sleep 0.3; exit 7'; code=$?; wait; exit $code"},
+          folder.path());
+  EXPECT_EQ(result.exitCode, 7) << result.output;
 }
 
 TEST(PreviewCommand, RefusesWhatItCannotDo) {

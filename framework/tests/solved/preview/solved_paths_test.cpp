@@ -118,6 +118,51 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SolvedPaths,
                          testing::Values("cornell_box", "cornell_spheres", "cornell_phong",
                                          "veach_plates", "many_lights", "ucl_sphere"));
 
+class SolvedMisPaths : public testing::TestWithParam<const char*> {};
+
+TEST_P(SolvedMisPaths, AddUpByTheirWeightsAndTheMeanIsThePixel) {
+  PathRequest request = requestFor(GetParam(), test::solutions().folder);
+  request.made = pictureOfPart(8);
+  RenderOptions options;
+  options.raysPerPixel = 64;
+  options.estimator = Estimator::kMis;
+  const Image image = renderScene(test::solutions(), request.scene->loaded, options).rendered.image;
+  std::size_t sampled = 0, met = 0;
+  record(request, [&](const PathAnswer& answer) {
+    const auto pixel = image.pixel(answer.request.column, answer.request.row);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(answer.mean[c], pixel[static_cast<std::size_t>(c)]);
+    for (const PathAccount& account : answer.accounts) {
+      EXPECT_TRUE(account.known && account.fits);
+      for (const std::string& remark : account.remarks) ADD_FAILURE() << remark;
+      for (std::size_t k = 0; k < account.vertices.size(); ++k) {
+        const VertexAccount& v = account.vertices[k];
+        sampled += v.found && *v.found != Colour(0.0f) ? 1 : 0;
+        met += k > 0 && v.emissionWeight ? 1 : 0;
+      }
+    }
+  });
+  EXPECT_GT(sampled, 0u);
+  EXPECT_GT(met, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SolvedMisPaths,
+                         testing::Values("cornell_box", "cornell_spheres", "cornell_phong",
+                                         "ucl_sphere"));
+
+// With many lights one is chosen, and what the weights are only the coursework knows.
+TEST(SolvedMisPathsOfManyLights, AreNotJudged) {
+  PathRequest request = requestFor("many_lights", test::solutions().folder);
+  request.made = pictureOfPart(8);
+  std::size_t unknown = 0;
+  record(request, [&](const PathAnswer& answer) {
+    for (const PathAccount& account : answer.accounts) {
+      unknown += account.known ? 0 : 1;
+      for (const std::string& remark : account.remarks) ADD_FAILURE() << remark;
+    }
+  });
+  EXPECT_GT(unknown, 0u);
+}
+
 TEST(SolvedWarmUp, AddsUpToWhatItReturns) {
   PathRequest request = requestFor("cornell_box", test::solutions().folder);
   request.made = pictureOfPart(0);
