@@ -1,5 +1,6 @@
 // Values that are no radiance: which function was the first to return one.
 #include "host/invalid_origin.h"
+#include "support/path_event.h"
 #include "support/run_command.h"
 #include "support/test_coursework_files.h"
 
@@ -15,19 +16,6 @@ namespace pathmark::test {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
-PathEvent event(PathEventKind kind, const vec3& a = vec3(0.0f), const vec3& b = vec3(0.0f),
-                const vec3& c = vec3(0.0f), float x = 0.0f) {
-  PathEvent e;
-  e.kind = kind;
-  for (int k = 0; k < 3; ++k) {
-    e.a[k] = a[k];
-    e.b[k] = b[k];
-    e.c[k] = c[k];
-  }
-  e.x = x;
-  return e;
-}
 
 TEST(FirstInvalid, IsOfThePathThatReturnedIt) {
   FlatScene scene;

@@ -3,6 +3,7 @@
 
 #include "preview/paths/path_account.h"
 #include "preview/paths/path_text.h"
+#include "support/path_event.h"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +15,7 @@
 namespace pathmark::preview {
 namespace {
 
-PathEvent event(PathEventKind kind, const vec3& a = vec3(0.0f), const vec3& b = vec3(0.0f),
-                const vec3& c = vec3(0.0f), float x = 0.0f) {
-  PathEvent e;
-  e.kind = kind;
-  for (int k = 0; k < 3; ++k) {
-    e.a[k] = a[k];
-    e.b[k] = b[k];
-    e.c[k] = c[k];
-  }
-  e.x = x;
-  return e;
-}
+using test::event;
 
 const Point kFloor(0.0f), kLamp(0.0f, 2.0f, 0.0f);
 const Vector kUp(0.0f, 1.0f, 0.0f), kDown(0.0f, -1.0f, 0.0f);
