@@ -41,12 +41,19 @@ CourseworkBuild buildWith(std::span<const Variant> mistakes, const fs::path& fol
   return buildCoursework(folder);
 }
 
-void runAllChecks(const CourseworkBuild& build, const PairOptions& options, PairFinding& finding) {
+void runChecks(const Pair& pair, const CourseworkBuild& build, const PairOptions& options,
+               PairFinding& finding) {
   checks::Selection selection;
+  if (options.onlyPartsOfMistakes)
+    std::erase_if(selection.parts, [&](int part) {
+      return std::none_of(pair.mistakes.begin(), pair.mistakes.end(),
+                          [&](const Variant& mistake) { return mistake.part == part; });
+    });
   selection.images = selection.scenes = false;
   checks::RunOptions run;
   run.seed = options.seed;
   run.threads = options.threads;
+  run.diagnose = false;
   const checks::CourseworkResults results = checks::runChecks(build, selection, run);
   finding.seconds = results.seconds;
   for (const checks::PartResult& part : results.parts) {
@@ -109,7 +116,7 @@ marking::Measured PairStudy::picture(const CourseworkBuild& build,
 }
 
 PairFinding PairStudy::of(const Pair& pair) {
-  const marking::Effort fine{kRaysPerPixel, kReplicates};
+  const marking::Effort fine{options_.raysPerPixel, kReplicates};
   const marking::MarkingScene scene = sceneOf(pair);
   if (!solved_.contains(scene.name))
     solved_[scene.name] = picture(solutions_, scene, scene.name, fine);
@@ -127,7 +134,7 @@ PairFinding PairStudy::of(const Pair& pair) {
     finding.alone.push_back(marking::tileBias(
         picture(alone, scene, fmt::format("{} {}", pair.name, mistake.name), {}).image, reference));
   }
-  runAllChecks(together, options_, finding);
+  runChecks(pair, together, options_, finding);
   return finding;
 }
 

@@ -13,6 +13,7 @@
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace pathmark::sandbox {
@@ -191,6 +192,13 @@ void allowComputing(Context& context) {
   context.allow("ioctl", SCMP_A1(SCMP_CMP_EQ, TCGETS));
 }
 
+void allowSanitizers(Context& context) {
+  for (const char* call :
+       {"prctl", "personality", "sched_setaffinity", "getdents64", "dup", "pipe2"})
+    context.allow(call);
+  context.allow("prlimit64", SCMP_A1(SCMP_CMP_EQ, RLIMIT_CORE));
+}
+
 }  // namespace
 
 CallFilter workerFilter(bool ownSignalsOnly) {
@@ -208,9 +216,7 @@ CallFilter workerFilter(bool ownSignalsOnly) {
   // The worker's own lock.
   context.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_SET_NO_NEW_PRIVS));
   context.allow("seccomp");
-  if (build::kSanitized)
-    for (const char* call : {"prctl", "personality", "sched_setaffinity", "getdents64", "dup"})
-      context.allow(call);
+  if (build::kSanitized) allowSanitizers(context);
   return context.build();
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -84,6 +85,22 @@ std::string stampOf(const fs::path& path) {
                      fs::file_size(path));
 }
 
+// A program cannot be executed while it is open for writing, and a process that another thread has
+// just made still holds what was open here, until it executes something. A lease on reading is
+// granted when there is no writer.
+void awaitNoWriter(const fs::path& program) {
+  const FileDescriptor file(open(program.c_str(), O_RDONLY | O_CLOEXEC));
+  for (int attempt = 0; attempt < 2000; ++attempt) {
+    if (fcntl(file.get(), F_SETLEASE, F_RDLCK) == 0) {
+      // Not by closing: a new process may hold this descriptor, too, and with it the lease.
+      fcntl(file.get(), F_SETLEASE, F_UNLCK);
+      return;
+    }
+    if (errno != EAGAIN) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 // For others to read, whatever it was.
 void copyReadable(const fs::path& from, const fs::path& to) {
   const bool folder = fs::is_directory(from);
@@ -96,6 +113,7 @@ void copyReadable(const fs::path& from, const fs::path& to) {
   }
   const bool program = (fs::status(from).permissions() & fs::perms::owner_exec) != fs::perms::none;
   chmod(to.c_str(), folder || program ? 0755 : 0644);
+  if (program && !folder) awaitNoWriter(to);
 }
 
 }  // namespace
