@@ -147,8 +147,10 @@ TEST(CheckCommand, ChecksTheOtherPartsWhereOneDoesNotCompile) {
 
 TEST(CheckCommand, SaysWhereACrashWasAndGoesOn) {
   CourseworkCopy copy;
-  copy.replace(kLambertian, "return std::max(dot(wi, n), 0.0f) * kInvPi;",
-               "volatile int* p = nullptr; return static_cast<float>(*p) + dot(wi, n);");
+  copy.replace(
+      kLambertian, "return std::max(dot(wi, n), 0.0f) * kInvPi;",
+      "auto* p = reinterpret_cast<volatile int*>(64); return static_cast<float>(*p) + dot(wi, "
+      "n);");
   const ProcessResult result = check({"3", "--with", copy.with()});
   EXPECT_EQ(result.exitCode, 1);
   expectHas(result, "BROKEN      3.2  lambertianBRDF::pdf");
