@@ -15,7 +15,7 @@ endfunction()
 # GCC 12 does not know of precompiled functions that they are a library's, and warns of what it
 # guesses of std::string in them; without precompiled headers it warns of nothing.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(guesses -Wno-array-bounds -Wno-restrict -Wno-stringop-overread)
+  set(guesses -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 
 # Lets all targets of the folder and of those in it use them.
