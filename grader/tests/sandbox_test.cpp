@@ -212,8 +212,9 @@ TEST_P(Sandbox, EndingTheProgramIsACrashWithItsLine) {
     const Failure f = failureOf("(void)ray; (void)sampler;\n" + call + ";\nreturn Colour(0);");
     EXPECT_TRUE(f.fault == WorkerFault::kCrashed || f.fault == WorkerFault::kEnded) << call;
     // Sanitizers need calls that the worker else gives up.
-    if (!build::kSanitized)
+    if (!build::kSanitized) {
       EXPECT_SAYS(f, call != "std::quick_exit(0)" ? "part5_path.cpp:5" : "exit");
+    }
   }
 }
 
