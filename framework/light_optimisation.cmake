@@ -15,6 +15,8 @@ function(pathmark_optimise_lightly_in folder)
     endif()
     get_target_property(commands ${target} SOURCES)
     list(FILTER commands INCLUDE REGEX "command_[a-z_]*\\.cpp$")
+    get_target_property(source ${target} SOURCE_DIR)
+    list(TRANSFORM commands PREPEND ${source}/)
     set_property(SOURCE ${commands} TARGET_DIRECTORY ${target}
       APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
   endforeach()

@@ -37,6 +37,9 @@ std::string sceneWords(const Pair& pair);
 // The probability that a picture of correct coursework is said to differ from the solutions'.
 inline constexpr double kSameAlpha = 1e-4;
 
+// Of the pictures of a whole pair and of the solutions. With each mistake alone they take
+// marking::kRaysPerPixel: what must show needs fewer.
+inline constexpr std::uint64_t kRaysPerPixel = 2048;
 inline constexpr std::uint32_t kReplicates = 32;
 
 // The least relative bias that an eye may see. A pair hides if its picture is the same, and the
@@ -51,10 +54,6 @@ struct PairOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;           // 0: one for each processor
   std::filesystem::path scratch;  // where the patched files go
-
-  // Of the pictures of a whole pair and of the solutions. With each mistake alone they take
-  // marking::kRaysPerPixel: what must show needs fewer.
-  std::uint64_t raysPerPixel = 2048;
 
   // The parts of the mistakes alone: the others are the solutions' own.
   bool onlyPartsOfMistakes = false;

@@ -45,8 +45,7 @@ TEST(Pairs, AreOfDifferentFunctionsOfOnePartAndOfSeveral) {
 // with less than 1e-6.
 TEST(Pairs, HideInThePictureAndAreCaughtPartByPart) {
   const TemporaryFolder scratch;
-  pairs::PairOptions options{
-      .seed = 1, .threads = 0, .scratch = scratch.path(), .raysPerPixel = 1024};
+  pairs::PairOptions options{.seed = 1, .threads = 0, .scratch = scratch.path()};
   pairs::PairStudy ofAllParts(options);
   options.onlyPartsOfMistakes = true;
   pairs::PairStudy study(options);
