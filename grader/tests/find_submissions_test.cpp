@@ -4,9 +4,12 @@
 #include "submission/names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
+#include <linux/capability.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace pathmark::submission {
@@ -144,21 +147,35 @@ TEST_F(Finding, AFolderOfNothingButFilesIsLeftOutAsOne) {
   EXPECT_EQ(found.leftOut[0].source, fs::canonical(folder_ / "bob"));
 }
 
+// Root may read everything, but for its privileges. Another user may not be able to reach the
+// folder.
+class WithoutPrivileges {
+ public:
+  WithoutPrivileges() {
+    EXPECT_EQ(syscall(SYS_capget, &header_, before_.data()), 0);
+    Capabilities none = before_;
+    for (__user_cap_data_struct& word : none) word.effective = 0;
+    EXPECT_EQ(syscall(SYS_capset, &header_, none.data()), 0);
+  }
+  ~WithoutPrivileges() { EXPECT_EQ(syscall(SYS_capset, &header_, before_.data()), 0); }
+  WithoutPrivileges(const WithoutPrivileges&) = delete;
+  WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
+
+ private:
+  using Capabilities = std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3>;
+
+  __user_cap_header_struct header_{_LINUX_CAPABILITY_VERSION_3, 0};
+  Capabilities before_{};
+};
+
 TEST_F(Finding, AFolderThatCannotBeReadIsLeftOut) {
   write("class/alice/part0_warmup.cpp");
   write("class/bob/part0_warmup.cpp");
-  fs::permissions(folder_.path(), fs::perms::group_exec | fs::perms::others_exec,
-                  fs::perm_options::add);
   fs::permissions(folder_ / "class/bob", fs::perms::none);
-  // Root may read everything.
-  constexpr uid_t kNobody = 65534;
-  const uid_t self = geteuid();
-  if (self == 0) {
-    ASSERT_EQ(seteuid(kNobody), 0);
-  }
-  const FoundSubmissions found = find({"class"});
-  if (self == 0) {
-    ASSERT_EQ(seteuid(self), 0);
+  FoundSubmissions found;
+  {
+    const WithoutPrivileges here;
+    found = find({"class"});
   }
   fs::permissions(folder_ / "class/bob", fs::perms::owner_all);
   ASSERT_EQ(found.leftOut.size(), 1u);
