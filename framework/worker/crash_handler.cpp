@@ -126,6 +126,7 @@ void onExit() {
   fillFrames(record, 0);
   send(record);
   exiting = true;
+  _exit(EXIT_FAILURE);
 }
 
 void onTerminate() {
@@ -198,6 +199,10 @@ namespace {
 }
 
 }  // namespace
+
+void reportExits(int threads) {
+  for (int k = 0; k < threads; ++k) std::atexit(onExit);
+}
 
 void finishWorker() { finished = true; }
 

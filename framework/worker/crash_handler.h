@@ -10,6 +10,11 @@ namespace pathmark {
 // could not be reported, and the bounds by which one is recognised.
 void prepareThreadForCrashes();
 
+// exit() in up to `threads` threads at once is reported before anything is destroyed. The C library
+// takes each registered function off its list when a thread calls it, so that every thread needs
+// one of its own: a thread that found none would end the process while another still reports.
+void reportExits(int threads);
+
 // From here on the end of the program is meant.
 void finishWorker();
 

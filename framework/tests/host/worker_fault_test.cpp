@@ -132,6 +132,20 @@ TEST(WorkerFault, ExitIsNamed) {
   expectContains(failure.sentence, "part5_path.cpp:5, in LitScene::tracePath: exit() was called");
 }
 
+TEST(WorkerFault, ExitInManyThreadsAtOnceIsNamed) {
+  TestCoursework coursework;
+  coursework.setTracePath("(void)ray; (void)sampler;\nstd::exit(0);");
+  for (int run = 0; run < 20; ++run) {
+    const auto worker = coursework.start(shortLimits());
+    try {
+      renderWith(*worker);
+      FAIL() << "nothing was reported";
+    } catch (const WorkerError& e) {
+      expectContains(e.what(), "part5_path.cpp:5, in LitScene::tracePath: exit() was called");
+    }
+  }
+}
+
 TEST(WorkerFault, QuickExitIsNotMistakenForAnAnswer) {
   TestCoursework coursework;
   coursework.setTracePath("(void)ray; (void)sampler; std::_Exit(0);");
