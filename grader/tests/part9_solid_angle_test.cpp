@@ -69,9 +69,9 @@ double worstMoment(const SeenLight& light, bool triangle) {
 
 TEST(SolidAngleSampling, IsUniformFromNearAndFarAndAtGrazingAngles) {
   for (const bool triangle : {true, false})
-    for (const double distance : {0.2, 1.0, 10.0, 1e3, 1e5, 1e6})
+    for (const double distance : {1e-4, 1e-3, 1e-2, 0.2, 1.0, 10.0, 1e3, 1e5, 1e6})
       for (const double cosine : {1.0, 0.3, 0.01}) {
-        if (distance * cosine < 0.1) continue;
+        if (distance * cosine < 0.1 && cosine < 1.0) continue;
         Uniforms random(91);
         const SeenLight light = seenFrom(distance, cosine, triangle, random);
         // The moments of a grid are off by its width squared, where s chooses a triangle by the
@@ -102,7 +102,7 @@ TEST(SolidAngleSampling, HasTheDensityOfTheOracle) {
 
 TEST(SolidAngleSampling, GivesPointsOfTheLightForAllNumbers) {
   for (const bool triangle : {true, false})
-    for (const double distance : {0.05, 1.0, 1e3, 1e6})
+    for (const double distance : {1e-5, 1e-4, 1e-3, 0.05, 1.0, 1e3, 1e6})
       for (const float s : {0.0f, 0x1p-149f, 0x1p-24f, 0.5f, 1.0f - 0x1p-24f})
         for (const float t : {0.0f, 0x1p-149f, 0x1p-24f, 0.5f, 1.0f - 0x1p-24f}) {
           Uniforms random(93);
@@ -123,6 +123,24 @@ TEST(SolidAngleSampling, SendsNothingBackwardsOrIntoItsPlane) {
     EXPECT_EQ(polygon.SphericalRectangleSampling(from, 0.5f, 0.5f).pdf, 0.0f);
     EXPECT_EQ(polygon.SphericalRectanglePdf(from, {0.7f, 2, 0.3f}), 0.0f);
   }
+}
+
+// The receiver may be the light itself, or what lies on it.
+TEST(SolidAngleSampling, SendsNothingToPointsThatOnlyRoundingPutsInFrontOfIt) {
+  for (const bool triangle : {true, false})
+    for (int seed = 0; seed < 200; ++seed) {
+      Uniforms random(94 + seed);
+      const SeenLight light = seenFrom(1.0, 1.0, triangle, random);
+      const Point& a = light.outline().vertices()[0];
+      const Point& b = light.outline().vertices()[1];
+      const Point& c = light.outline().vertices()[2];
+      const Point own = a + 0.3f * (b - a) + 0.4f * (c - b);
+      const Polygon polygon = polygonOf(light);
+      const LightSample y = triangle ? polygon.SphericalTriangleSampling(own, 0.5f, 0.5f)
+                                     : polygon.SphericalRectangleSampling(own, 0.5f, 0.5f);
+      EXPECT_TRUE(isFinite(y.p));
+      EXPECT_EQ(y.pdf, 0.0f);
+    }
 }
 
 }  // namespace
