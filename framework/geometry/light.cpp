@@ -44,19 +44,6 @@ float areaOf(std::span<const Light::Face> faces) {
   return area;
 }
 
-// Around the box of all vertices.
-Sphere sphereAround(std::span<const Light::Face> faces) {
-  Point low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
-  for (const Light::Face& face : faces)
-    for (int k = 0; k < face.polygon.vertexCount(); ++k) {
-      low = glm::min(low, face.polygon.p(k));
-      high = glm::max(high, face.polygon.p(k));
-    }
-  const float rounding =
-      offsetForMagnitude(std::max(largestComponent(low), largestComponent(high)));
-  return {0.5f * low + 0.5f * high, 0.5f * length(high - low) + rounding};
-}
-
 auto samplingOf(const Polygon& face) {
   switch (faceKind(face)) {
     case FaceKind::kTriangle:
@@ -82,16 +69,37 @@ Side sideOf(const Sphere& sphere, const Point& x) {
   return Side::kOn;
 }
 
-bool isLit(Side side, bool inward) {
-  return inward ? side != Side::kOutside : side == Side::kOutside;
+// From outside, the inside shines through a back that rays pass through.
+bool isLit(Side side, bool inward, bool seenThrough) {
+  return inward ? seenThrough || side != Side::kOutside : side == Side::kOutside;
 }
 
-// `from`, or for a point of the sphere itself one that is surely inside.
+// `from`, or for another point one that is surely inside, from where all of the sphere is seen.
 Point inside(const Sphere& sphere, const Point& from, Side side) {
-  return side == Side::kOn ? 0.5f * (from + sphere.centre()) : from;
+  switch (side) {
+    case Side::kInside:
+      return from;
+    case Side::kOn:
+      return 0.5f * (from + sphere.centre());
+    case Side::kOutside:
+      break;
+  }
+  return sphere.centre();
 }
 
 }  // namespace
+
+Sphere sphereAround(std::span<const Light::Face> faces) {
+  Point low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+  for (const Light::Face& face : faces)
+    for (int k = 0; k < face.polygon.vertexCount(); ++k) {
+      low = glm::min(low, face.polygon.p(k));
+      high = glm::max(high, face.polygon.p(k));
+    }
+  const float rounding =
+      offsetForMagnitude(std::max(largestComponent(low), largestComponent(high)));
+  return {0.5f * low + 0.5f * high, 0.5f * length(high - low) + rounding};
+}
 
 Light::Face::Face(const Polygon& face, float cumulative, bool bySolidAngle)
     : polygon(face), cumulativeArea(cumulative), sample(samplingOf(face)) {
@@ -114,9 +122,10 @@ Light::Light(std::span<const Face> faces, const Colour& emission)
       hasNormal_(faces.size() == 1),
       normal_(faces.front().polygon.normal()) {}
 
-Light::Light(const Sphere& sphere, bool inward, const Colour& emission)
+Light::Light(const Sphere& sphere, bool inward, bool seenThrough, const Colour& emission)
     : sphere_(sphere),
       inward_(inward),
+      seenThrough_(seenThrough),
       emission_(emission),
       meanEmission_(mean(emission)),
       area_(kPi * sphere.radius() * sphere.radius()) {}
@@ -141,7 +150,7 @@ float Light::roughIrradiance(const Point& x, const Vector& n) const {
 LightSample Light::sample(const Point& from, float s, float t) const {
   if (!faces_.empty()) return sampleFaces(faces_, from, s, t);
   const Side side = sideOf(sphere_, from);
-  if (!isLit(side, inward_))
+  if (!isLit(side, inward_, seenThrough_))
     return {sphere_.centre() + Vector(sphere_.radius(), 0, 0), Vector(1, 0, 0), 0.0f};
   if (!inward_) return sphere_.sample(from, s, t);
   LightSample sample = sphere_.sample(inside(sphere_, from, side), s, t);
@@ -156,7 +165,7 @@ float Light::pdf(const Point& from, const Hit& at) const {
     return face.pdfFrom != nullptr ? (face.polygon.*face.pdfFrom)(from, at.p) : 1.0f / area_;
   }
   const Side side = sideOf(sphere_, from);
-  if (!isLit(side, inward_)) return 0.0f;
+  if (!isLit(side, inward_, seenThrough_)) return 0.0f;
   if (!inward_) return sphere_.pdf(from, at.p, at.n);
   return sphere_.pdf(inside(sphere_, from, side), at.p, -at.n);
 }

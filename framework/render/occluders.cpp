@@ -3,6 +3,7 @@
 #include "math/rounding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace pathmark {
@@ -15,59 +16,77 @@ Vector3 toVector3(const Float3& a) { return {a[0], a[1], a[2]}; }
 
 double radiusOf(const FlatSphere& sphere) { return static_cast<double>(sphere.radius); }
 
-// How far a point of a surface may lie off it: as far as rays are moved off it.
-double tolerance(const FlatSceneView& scene) {
-  float magnitude = 0.0f;
-  for (const FlatTriangle& t : scene.triangles)
-    for (const Float3& corner : scene.corners(t))
-      magnitude = std::max(magnitude, largestComponent({corner[0], corner[1], corner[2]}));
-  for (const FlatSphere& s : scene.spheres)
-    magnitude =
-        std::max(magnitude, largestComponent({s.centre[0], s.centre[1], s.centre[2]}) + s.radius);
-  return static_cast<double>(offsetForMagnitude(magnitude));
+double largestOf(const Vector3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// The interval of heights above a plane that the whole scene lies in.
-struct Heights {
-  double least = 0.0, most = 0.0;
+// How far a corner that is meant to lie in a plane may be off it: it is rounded itself, and so are
+// the three that the plane goes through. `magnitude` is that of the largest coordinate of all.
+double rounding(double magnitude) {
+  constexpr double kRoundoffs = 8.0;
+  return kRoundoffs * static_cast<double>(kUnitRoundoff) * magnitude;
+}
 
-  void add(double low, double high) {
-    least = std::min(least, low);
-    most = std::max(most, high);
+double magnitudeOf(const FlatSceneView& scene, const FlatTriangle& triangle) {
+  double magnitude = 0.0;
+  for (const Float3& corner : scene.corners(triangle))
+    magnitude = std::max(magnitude, largestOf(toVector3(corner)));
+  return magnitude;
+}
+
+double magnitudeOf(const FlatSphere& sphere) {
+  return largestOf(toVector3(sphere.centre)) + radiusOf(sphere);
+}
+
+// Whether the whole scene is above a plane, and whether it is below, but for rounding.
+struct Sides {
+  bool above = true, below = true;
+
+  void add(double low, double high, double rounding) {
+    above = above && low >= -rounding;
+    below = below && high <= rounding;
   }
 };
 
-bool boundsScene(const FlatSceneView& scene, const FlatTriangle& triangle, double tolerance) {
+bool boundsScene(const FlatSceneView& scene, const FlatTriangle& triangle) {
   const auto corners = scene.corners(triangle);
+  const double own = magnitudeOf(scene, triangle);
   const Vector3 a = toVector3(corners[0]);
   const Vector3 n =
       glm::normalize(glm::cross(toVector3(corners[1]) - a, toVector3(corners[2]) - a));
-  Heights heights;
+  Sides sides;
   for (const FlatTriangle& other : scene.triangles)
     for (const Float3& corner : scene.corners(other)) {
-      const double height = glm::dot(toVector3(corner) - a, n);
-      heights.add(height, height);
+      const Vector3 p = toVector3(corner);
+      const double height = glm::dot(p - a, n);
+      sides.add(height, height, rounding(std::max(own, largestOf(p))));
     }
   for (const FlatSphere& sphere : scene.spheres) {
     const double height = glm::dot(toVector3(sphere.centre) - a, n);
-    heights.add(height - radiusOf(sphere), height + radiusOf(sphere));
+    sides.add(height - radiusOf(sphere), height + radiusOf(sphere),
+              rounding(std::max(own, magnitudeOf(sphere))));
   }
   // A lamp whose back is turned to the scene hides itself from whoever forgets its cosine.
   const bool shines = scene.shapes[triangle.shape].emission != Float3{};
-  return heights.least >= -tolerance || (!shines && heights.most <= tolerance);
+  return sides.above || (!shines && sides.below);
 }
 
-bool surroundsScene(const FlatSceneView& scene, const FlatSphere& sphere, double tolerance) {
+bool surroundsScene(const FlatSceneView& scene, const FlatSphere& sphere) {
   const Vector3 centre = toVector3(sphere.centre);
-  const double reach = radiusOf(sphere) + tolerance;
-  const auto within = [&](const Float3& p) { return glm::distance(toVector3(p), centre) <= reach; };
+  const double own = magnitudeOf(sphere);
+  const auto within = [&](const Vector3& p, double radius, double magnitude) {
+    return glm::distance(p, centre) + radius <=
+           radiusOf(sphere) + rounding(std::max(own, magnitude));
+  };
   return std::all_of(scene.triangles.begin(), scene.triangles.end(),
                      [&](const FlatTriangle& t) {
                        const auto corners = scene.corners(t);
-                       return std::all_of(corners.begin(), corners.end(), within);
+                       return std::all_of(corners.begin(), corners.end(), [&](const Float3& p) {
+                         return within(toVector3(p), 0.0, largestOf(toVector3(p)));
+                       });
                      }) &&
          std::all_of(scene.spheres.begin(), scene.spheres.end(), [&](const FlatSphere& other) {
-           return glm::distance(toVector3(other.centre), centre) + radiusOf(other) <= reach;
+           return within(toVector3(other.centre), radiusOf(other), magnitudeOf(other));
          });
 }
 
@@ -82,11 +101,8 @@ std::vector<std::uint32_t> indicesOf(std::span<const Primitive> primitives, CanO
 }  // namespace
 
 Occluders occludersOf(const FlatSceneView& scene) {
-  const double off = tolerance(scene);
-  return {indicesOf(scene.triangles,
-                    [&](const FlatTriangle& t) { return !boundsScene(scene, t, off); }),
-          indicesOf(scene.spheres,
-                    [&](const FlatSphere& s) { return !surroundsScene(scene, s, off); })};
+  return {indicesOf(scene.triangles, [&](const FlatTriangle& t) { return !boundsScene(scene, t); }),
+          indicesOf(scene.spheres, [&](const FlatSphere& s) { return !surroundsScene(scene, s); })};
 }
 
 Occluders allPrimitives(const FlatSceneView& scene) {

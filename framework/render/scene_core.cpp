@@ -67,11 +67,7 @@ SceneCore::SceneCore(const FlatSceneView& view, ShadowOrigins origins, Skips ski
 }
 
 void SceneCore::buildLights() {
-  float magnitude = 0.0f;
-  for (const Float3& v : view_.lightVertices) {
-    lightVertices_.push_back(toVec3(v));
-    magnitude = std::max(magnitude, largestComponent(lightVertices_.back()));
-  }
+  for (const Float3& v : view_.lightVertices) lightVertices_.push_back(toVec3(v));
   const std::vector<bool> alone = facesAlone(view_);
   const bool bySolidAngle = view_.lightSampling == LightSampling::kBySolidAngle;
   for (const FlatFace& f : view_.faces) {
@@ -83,15 +79,18 @@ void SceneCore::buildLights() {
   }
   for (const FlatLight& l : view_.lights) {
     if (l.sphere == FlatLight::kNoSphere) {
-      lights_.emplace_back(std::span(faces_).subspan(l.firstFace, l.faceCount), toVec3(l.emission));
+      const std::span<const Light::Face> faces =
+          std::span(faces_).subspan(l.firstFace, l.faceCount);
+      lights_.emplace_back(faces, toVec3(l.emission));
+      lightReach_.add(faces);
     } else {
       const FlatSphere& s = view_.spheres[l.sphere];
       const Sphere sphere(toVec3(s.centre), s.radius);
-      lights_.emplace_back(sphere, s.inward != 0, toVec3(l.emission));
-      magnitude = std::max(magnitude, largestComponent(sphere.centre()) + s.radius);
+      lights_.emplace_back(sphere, s.inward != 0, view_.shapes[s.shape].frontOnly != 0,
+                           toVec3(l.emission));
+      lightReach_.add(sphere);
     }
   }
-  lightMagnitude_ = magnitude;
   const std::vector<std::size_t> shapes = shapesOfLights(view_);
   for (std::size_t i = 0; i < lights_.size(); ++i)
     if (shapes[i] < surfaces_.size()) surfaces_[shapes[i]].light = &lights_[i];
@@ -149,7 +148,7 @@ const SceneCore::Surface& SceneCore::meetTriangle(const Ray& ray, const Primitiv
 bool SceneCore::visible(const Hit& from, const LightSample& to) const {
   const Vector toLight = to.p - from.p;
   const Ray start = from.spawnRay(toLight);
-  const float magnitude = std::max(lightMagnitude_, largestComponent(toLight));
+  const float magnitude = std::max(lightReach_.magnitudeAt(to.p), largestComponent(toLight));
   const Point end = to.p + offsetForMagnitude(magnitude) * to.n;
   return !intersector_.occluded(start.origin, end - start.origin);
 }

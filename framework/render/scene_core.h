@@ -5,6 +5,7 @@
 #pragma once
 
 #include "intersect/intersector.h"
+#include "render/light_reach.h"
 #include "render/material_lobes.h"
 #include "scene/flat_scene.h"
 
@@ -87,7 +88,7 @@ class SceneCore {
   std::vector<Point> lightVertices_;
   std::vector<Light::Face> faces_;
   std::vector<Light> lights_;
-  float lightMagnitude_ = 0.0f;  // largest coordinate of any light
+  LightReach lightReach_;
 };
 
 }  // namespace pathmark

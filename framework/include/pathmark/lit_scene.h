@@ -77,12 +77,13 @@ class Light {
   };
 
   Light(std::span<const Face> faces, const Colour& emission);
-  Light(const Sphere& sphere, bool inward, const Colour& emission);
+  // `seenThrough`: rays pass through the sphere's back.
+  Light(const Sphere& sphere, bool inward, bool seenThrough, const Colour& emission);
 
  private:
   std::span<const Face> faces_;  // empty for a sphere
   Sphere sphere_;                // the light, or one around its faces
-  bool inward_ = false;
+  bool inward_ = false, seenThrough_ = false;
   Colour emission_;
   float meanEmission_;
   float area_;              // of the faces, or of the disc as which the sphere is seen

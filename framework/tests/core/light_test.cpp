@@ -84,7 +84,7 @@ TEST(Light, FacesAreChosenByAreaAndTheNumberIsUsedAgain) {
 // A point of the sphere's own surface is rounded to either side of it.
 TEST(Light, AnOutwardSphereLightsNothingOnOrInsideItself) {
   const Sphere sphere(Point(3, -2, 7), 1.5f);
-  const Light light(sphere, false, Colour(1));
+  const Light light(sphere, false, false, Colour(1));
   EXPECT_EQ(light.sample(Point(3, -2, 7), 0.5f, 0.5f).pdf, 0.0f);
   EXPECT_EQ(light.sample(Point(3, -1, 7), 0.5f, 0.5f).pdf, 0.0f);
   for (int k = 0; k < 1000; ++k) {
@@ -97,7 +97,7 @@ TEST(Light, AnOutwardSphereLightsNothingOnOrInsideItself) {
 
 TEST(Light, AnInwardSphereLightsItsInsideAndItsOwnSurface) {
   const Sphere sphere(Point(3, -2, 7), 1.5f);
-  const Light light(sphere, true, Colour(1));
+  const Light light(sphere, true, false, Colour(1));
   EXPECT_EQ(light.sample(Point(3, -1.8f, 7), 0.5f, 0.5f).pdf, kSphereDensity);
   EXPECT_EQ(light.sample(Point(3, 5, 7), 0.5f, 0.5f).pdf, 0.0f);
   for (int k = 0; k < 1000; ++k) {
@@ -108,6 +108,18 @@ TEST(Light, AnInwardSphereLightsItsInsideAndItsOwnSurface) {
     EXPECT_EQ(sample.n, Vector(0, -1, 0)) << "the emitting side is the inside";
     // The probe returns the point that it was given: clearly inside, as the contract has it.
     EXPECT_LT(length(sample.p - sphere.centre()), 1.0f);
+  }
+}
+
+// Also from outside, where the near half turns its back on them.
+TEST(Light, AnInwardSphereWhoseBackIsSeenThroughLightsAllPoints) {
+  const Sphere sphere(Point(3, -2, 7), 1.5f);
+  const Light light(sphere, true, true, Colour(1));
+  for (const Point& from : {Point(3, -1.8f, 7), Point(3, -0.5f, 7), Point(3, 5, 7)}) {
+    const LightSample sample = light.sample(from, 0.5f, 0.5f);
+    EXPECT_EQ(sample.pdf, kSphereDensity);
+    EXPECT_EQ(sample.n, Vector(0, -1, 0));
+    EXPECT_LT(length(sample.p - sphere.centre()), 1.0f) << "the probe was asked from inside";
   }
 }
 

@@ -228,6 +228,28 @@ TEST(Occluders, AWallStaysIfAnythingIsBehindIt) {
             1u);
 }
 
+TEST(Occluders, AGroundStaysIfSomethingSmallIsCloseBelowIt) {
+  ShapeScene scene;
+  scene.addTriangle({-1000, 0, -1000}, {1000, 0, -1000}, {0, 0, 1000});
+  scene.addSphere({0, 1, 0}, 1);
+  scene.addSphere({0, -5e-4f, 0}, 5e-4f);
+  EXPECT_EQ(occludersOf(scene.view()).triangles, (Indices{0}));
+}
+
+TEST(Occluders, ATiltedWallOfTwoTrianglesIsLeftOutWhicheverWayItsCornersAreRounded) {
+  for (int k = 0; k < 100; ++k) {
+    const float angle = 0.0618f * static_cast<float>(k);
+    const vec3 right(std::cos(angle), 0.3f, std::sin(angle)),
+        n = normalize(cross(right, {1, 2, 3}));
+    const vec3 up = cross(n, right), corner(0.3f, 0.1f * static_cast<float>(k), -0.7f);
+    ShapeScene scene;
+    scene.addTriangle(corner, corner + right, corner + right + up);
+    scene.addTriangle(corner, corner + right + up, corner + up);
+    scene.addSphere(corner + 3.0f * n, 1);
+    EXPECT_TRUE(occludersOf(scene.view()).triangles.empty()) << k;
+  }
+}
+
 TEST(Occluders, AreAllWhereSegmentsMayStartAnywhere) {
   ShapeScene scene;
   scene.addBox({0, 0, 0}, {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, true);

@@ -137,7 +137,7 @@ TEST(Trap, SphereLightFromInsideHasTheInverseAreaAsDensity) {
 // see but the spot that it stands on.
 TEST(Trap, SphereLightFromItsSurfaceIsSeenFromTheSideThatShines) {
   const Sphere sphere({3, -2, 5}, 1.7f);
-  const Light light(sphere, true, Colour(1.0f));
+  const Light light(sphere, true, false, Colour(1.0f));
   Uniforms random(1203);
   Errors<Rms> errors;
   for (int i = 0; i < 20000; ++i) {
