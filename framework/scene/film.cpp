@@ -13,13 +13,12 @@ namespace {
 // Sine of the smallest angle between the view direction and `up`.
 constexpr double kParallel = 1e-9;
 
-// Unit length, also where the square of the length is no double.
+}  // namespace
+
 glm::dvec3 safeNormalize(const glm::dvec3& v) {
   const glm::dvec3 scaled = v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return scaled / glm::length(scaled);
 }
-
-}  // namespace
 
 FlatCamera makeFilm(const CameraDescription& camera, int width, int height, const Place& place) {
   const glm::dvec3 forward = safeNormalize(camera.target - camera.eye);

@@ -5,6 +5,8 @@
 #include "scene/flat_scene.h"
 #include "scene/place.h"
 
+#include <glm/glm.hpp>
+
 namespace pathmark {
 
 // Everything but FlatCamera::eye, from the camera in the coordinates of the file. The film stands
@@ -12,6 +14,9 @@ namespace pathmark {
 // to the right as seen by the viewer, its y downwards; pixels are square. Throws SceneError if the
 // camera looks along its up vector.
 FlatCamera makeFilm(const CameraDescription& camera, int width, int height, const Place& place);
+
+// Unit length, also where the square of the length is no double.
+glm::dvec3 safeNormalize(const glm::dvec3& v);
 
 // Whether neighbouring pixels of the film can be told apart in float.
 bool isResolved(const FlatCamera& camera);

@@ -18,6 +18,7 @@ namespace {
 
 // In normalised coordinates, in which a scene's half extent is at least 1e-2.
 constexpr float kSmallestRadius = 1e-12f;
+constexpr double kSmallestLight = 1e-18;  // an area, whose square float can hold
 
 std::uint32_t count(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
@@ -149,7 +150,7 @@ class Flattener {
       default:
         break;  // triangles and quads come in numbers, and are counted instead
     }
-    if (emits && !faces.empty()) addLight(faces);
+    if (emits && !faces.empty()) addLight(faces, place);
   }
 
   [[noreturn]] static void refuseNothing(const Place& place) {
@@ -163,12 +164,16 @@ class Flattener {
     flat_.addTriangle(corners, toFloat3(face.normal), currentShape());
   }
 
-  void addLight(const std::vector<Face>& faces) {
+  void addLight(const std::vector<Face>& faces, const Place& place) {
     std::vector<double> areas;
     double total = 0.0;
     for (const Face& face : faces) {
       for (const TriangleIndices& t : face.triangles) total += roundedArea(face.vertices, t);
       areas.push_back(total);
+    }
+    if (total < kSmallestLight) {
+      place.refuse("a light whose area is almost nothing beside the rest of the scene",
+                   "its side must be at least a part in a thousand million of it");
     }
     FlatLight light;
     light.firstFace = count(flat_.faces.size());

@@ -54,7 +54,7 @@ LoadedScene load(const SceneSource& source, const SceneOverrides& overrides) {
   loaded.flat = flatten(scene, top, loaded.notes);
   const glm::dvec3 target = normalisedPoint(loaded.normalisation, scene.camera.target);
   loaded.target = {target.x, target.y, target.z};
-  const glm::dvec3 up = glm::normalize(scene.camera.up);
+  const glm::dvec3 up = safeNormalize(scene.camera.up);
   loaded.up = {up.x, up.y, up.z};
   camera.eye = loaded.flat.camera.eye;
   loaded.flat.camera = camera;

@@ -35,7 +35,9 @@ class ObjReader {
 
   // The next statements of the file, all of them whole.
   void read(std::string_view text) {
-    for (std::size_t position = 0; position < text.size();) {
+    const bool first = line_ == 1;
+    if (first) refuseOldLineEnds(text);
+    for (std::size_t position = first ? bytesOfMark(text) : 0; position < text.size();) {
       statementLine_ = line_;
       ObjWords words(text, position, line_);
       readStatement(words);
@@ -53,6 +55,18 @@ class ObjReader {
   }
 
  private:
+  // Of UTF-8, which some editors put before the first line.
+  static std::size_t bytesOfMark(std::string_view text) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    return text.starts_with(kMark) ? kMark.size() : 0;
+  }
+
+  // Those of the first Macs, without which all lines would be one.
+  void refuseOldLineEnds(std::string_view text) const {
+    if (text.find('\n') == text.npos && text.find('\r') < text.size() - 1)
+      refuse("lines that end in a carriage return", "those of a mesh end in a line feed");
+  }
+
   [[noreturn]] void refuse(const std::string& found, const std::string& rule) const {
     throw SceneError(
         fmt::format("{}:{}: found {}, but {}.", file_.string(), statementLine_, found, rule));

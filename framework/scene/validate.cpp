@@ -12,6 +12,7 @@ constexpr double kMostBounces = 1000.0;
 constexpr double kMostRays = 1e9;
 constexpr double kLargestExponent = 1e6;
 constexpr double kBrightest = 1e30;
+constexpr double kDarkest = 1e-30;  // what is below underflows where it is divided and multiplied
 // Kd + Ks may exceed 1 by this much, so that 0.9 + 0.1 is not refused for its rounding.
 constexpr double kReflectanceSlack = 1e-9;
 constexpr std::size_t kMostVertices = 1000;
@@ -35,6 +36,17 @@ void requireRange(const glm::dvec3& value, double least, double most, std::strin
     Place(place, static_cast<std::size_t>(i))
         .refuse(fmt::format("{}", value[i]),
                 fmt::format("{} must be from {} to {}", what, least, most));
+  }
+}
+
+void requireEmission(const glm::dvec3& emission, const Place& place) {
+  requireRange(emission, 0.0, kBrightest, "an emitted radiance", place);
+  for (int i = 0; i < 3; ++i) {
+    if (emission[i] == 0.0 || emission[i] >= kDarkest) continue;
+    Place(place, static_cast<std::size_t>(i))
+        .refuse(
+            fmt::format("{}", emission[i]),
+            fmt::format("an emitted radiance must be 0, or from {} to {}", kDarkest, kBrightest));
   }
 }
 
@@ -139,7 +151,7 @@ void validateSphere(const ShapeDescription& shape, const Place& place) {
 }
 
 void validateShape(const ShapeDescription& shape, const Place& place) {
-  requireRange(shape.emission, 0.0, kBrightest, "an emitted radiance", Place(place, "emission"));
+  requireEmission(shape.emission, Place(place, "emission"));
   validateTransform(shape.transform, Place(place, "transform"));
   switch (shape.kind) {
     case ShapeKind::kSphere:

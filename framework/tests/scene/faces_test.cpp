@@ -97,6 +97,25 @@ TEST(Faces, TrianglesWithoutAreaAreLeftOutAndCounted) {
   EXPECT_EQ(scene.notes[0], "3 triangles of zero area were left out, the first of /shapes/0.");
 }
 
+TEST(Faces, ALightWhoseAreaUnderflowsIsRefused) {
+  const auto lightOfSide = [](const char* half) {
+    return flatOf(fmt::format(
+        R"({{"type": "box", "material": "a", "low": [-1,-1,-1], "high": [1,1,1]}},
+           {{"type": "rectangle", "material": "b", "emission": [1,1,1],
+             "vertices": [[-{0},0,-{0}],[{0},0,-{0}],[{0},0,{0}],[-{0},0,{0}]]}})",
+        half));
+  };
+  EXPECT_EQ(lightOfSide("1e-8").lights.size(), 1u);
+  try {
+    lightOfSide("1e-10");
+    FAIL() << "it was accepted";
+  } catch (const SceneError& e) {
+    EXPECT_NE(std::string(e.what()).find("/shapes/1: found a light whose area is almost nothing"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(Faces, ALightWithoutRadianceIsNone) {
   EXPECT_TRUE(flatOf(R"({"type": "sphere", "material": "a", "centre": [0,0,0], "radius": 1,
                          "emission": [0, 0, 0]})")

@@ -59,6 +59,14 @@ TEST(Film, OfTheUclSceneIsTheWindowOfTwoAroundTheAxis) {
   expectNear(filmPoint(camera, {2, -2, 2}), {250, 250}, 1e-3);
 }
 
+TEST(Film, ItsUpVectorHasUnitLengthWhateverTheFilesHas) {
+  for (const char* length : {"1e-300", "1e-170", "1", "1e99"}) {
+    std::string text = sceneWith("");
+    text.insert(text.find("\"fieldOfView\""), fmt::format("\"up\": [0, {}, 0], ", length));
+    EXPECT_EQ(loadText(text).up, (std::array{0.0, 1.0, 0.0})) << length;
+  }
+}
+
 TEST(Film, HasSquarePixelsInEverySize) {
   for (const auto& size : {std::array{640, 360}, std::array{1, 1000}, std::array{16384, 3}}) {
     const FlatCamera camera = loadText(sceneWith(""), {.size = size}).flat.camera;

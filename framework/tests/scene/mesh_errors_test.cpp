@@ -62,6 +62,10 @@ const MeshCase kMeshCases[] = {
     {"five_numbers", "v 0 1 2 3 4\n", {"5 numbers"}},
     {"eight_numbers", "v 0 1 2 3 4 5 6 7\n", {"more than 7 numbers"}},
     {"unknown_word", kThree + "vv 1 2 3\n", {"m.obj:4: found \"vv\""}},
+    {"line_ends_of_the_first_macs",
+     "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
+     {"m.obj:1: found lines that end in a carriage return", "a line feed"}},
+    {"byte_order_mark_further_down", kThree + "\xEF\xBB\xBF" + "f 1 2 3\n", {"m.obj:4: found "}},
     {"json", "{\"type\": \"mesh\"}\n", {"m.obj:1:"}},
     {"bytes",
      std::string("\x7f"

@@ -140,6 +140,7 @@ TEST(Mesh, MeansTheSameInEveryDialect) {
   const FlatScene expected = mesh(kTetrahedron);
   for (const char* text : {
            "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 1 4 3\r\nf 2 3 4",
+           "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4",
            "# made by hand\nmtllib x.mtl\no thing\nv 0 0 0 1\nv +1 0 0.0 1\nv 0 1.0e0 0\n"
            "v 0 0 1 1 0.5 0.5 0.5\nvt 0 0\nvn 0 0 1\ng side\nusemtl red\ns off\n"
            "f 1/1/1 3/1/1 2/1/1\nf 1//1 2//1 4//1 # a comment\n\tf -4 -1 -2\nf 2/1 3/1 4/1\n",
