@@ -1,12 +1,19 @@
 #include "export/export_scene.h"
+#include "scene/utf8.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace pathmark {
 
 namespace {
+
+// XML 1.0, production 2.
+bool isXmlCharacter(char32_t c) {
+  return c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c != 0xFFFE && c != 0xFFFF);
+}
 
 class XmlText {
  public:
@@ -15,12 +22,15 @@ class XmlText {
     fmt::format_to(std::back_inserter(text_), pattern, std::forward<Args>(args)...);
     text_.push_back('\n');
   }
-  // A comment must not hold two hyphens in a row, nor end with one.
+  // A comment must not hold two hyphens in a row, nor end with one, nor hold what is no text.
   void comment(std::string_view text) {
     std::string safe;
-    for (const char c : text) {
-      if (c == '-' && !safe.empty() && safe.back() == '-') safe += ' ';
-      safe += c;
+    for (std::string_view rest = text; !rest.empty();) {
+      const Utf8Character first = firstCharacter(rest);
+      const std::string_view bytes = rest.substr(0, std::max<std::size_t>(first.bytes, 1));
+      rest.remove_prefix(bytes.size());
+      if (bytes == "-" && safe.ends_with('-')) safe += ' ';
+      safe += first.bytes > 0 && isXmlCharacter(first.code) ? bytes : "?";
     }
     line("<!-- {} -->", safe);
   }
@@ -38,6 +48,15 @@ std::string triple(const glm::dvec3& v) {
   return triple(Float3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
 }
 
+// The depths at which Mitsuba lets camera rays begin and end: 0.01 and 10000 if nothing is said.
+// What lies nearer than 1e-9 of the farthest distance is lost in the rounding of its floats.
+void writeClipping(XmlText& out, const WorldScene& scene) {
+  const double farthest = 2.0 * farthestSurface(scene);
+  constexpr double kNearest = 1e-9;
+  out.line("  <float name=\"near_clip\" value=\"{:.9g}\"/>", kNearest * farthest);
+  out.line("  <float name=\"far_clip\" value=\"{:.9g}\"/>", farthest);
+}
+
 void writeHead(XmlText& out, const WorldScene& scene, const ExportRequest& request) {
   const WorldCamera& c = scene.camera;
   out.comment(fmt::format("At most {} scattering events on a path: max_depth counts one more.",
@@ -48,6 +67,7 @@ void writeHead(XmlText& out, const WorldScene& scene, const ExportRequest& reque
   out.line("<sensor type=\"perspective\">");
   out.line("  <float name=\"fov\" value=\"{}\"/>", static_cast<float>(c.fieldOfView));
   out.line("  <string name=\"fov_axis\" value=\"y\"/>");
+  writeClipping(out, scene);
   out.line("  <transform name=\"to_world\">");
   out.line("    <lookat origin=\"{}\" target=\"{}\" up=\"{}\"/>", triple(c.eye), triple(c.target),
            triple(c.up));

@@ -1,9 +1,11 @@
 // Scenes for other renderers.
 //
-//   ExportedFile   a file to write
-//   exportPbrt     for pbrt-v4
-//   exportMitsuba  for Mitsuba 3
-//   exportNotes    what the other renderer has no counterpart of, in sentences
+//   ExportedFile     a file to write
+//   requireFloats    whether the other renderers' numbers can hold the scene
+//   farthestSurface  how far rays must reach
+//   exportPbrt       for pbrt-v4
+//   exportMitsuba    for Mitsuba 3
+//   exportNotes      what the other renderer has no counterpart of, in sentences
 //
 // Of a path with at most B scattering events pbrt says maxdepth B (its PathIntegrator ends at the
 // depth that equals it, the camera ray's hit having depth 0) and Mitsuba max_depth B + 1 (which
@@ -31,6 +33,12 @@ struct ExportRequest {
   std::uint64_t raysPerPixel = 64;
   std::string command{};  // that renders the scene file, to be told at its top; on one line
 };
+
+// Throws SceneError for lengths and a field of view that are no floats of use.
+void requireFloats(const WorldScene& scene);
+
+// The distance from the eye.
+double farthestSurface(const WorldScene& scene);
 
 // The scene file first, then its meshes in the folder STEM_meshes.
 std::vector<ExportedFile> exportPbrt(const WorldScene& scene, const ExportRequest& request);

@@ -1,6 +1,7 @@
 // pathmark export: a scene for another renderer.
 #include "export/export_scene.h"
 #include "film/atomic_file.h"
+#include "film/printable.h"
 #include "host/blob_file.h"
 #include "host/commands.h"
 #include "host/display_path.h"
@@ -10,12 +11,16 @@
 #include "host/session.h"
 #include "host/shell_word.h"
 #include "host/size_option.h"
+#include "scene/utf8.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
+#include <ranges>
+#include <string>
+#include <string_view>
 
 namespace pathmark {
 
@@ -47,12 +52,23 @@ LoadedScene load(const ExportArguments& arguments) {
   return loadScene(file, overrides);
 }
 
+bool isText(std::string_view text) {
+  while (!text.empty()) {
+    const Utf8Character first = firstCharacter(text);
+    if (first.bytes == 0 || first.code < 0x20) return false;
+    text.remove_prefix(first.bytes);
+  }
+  return true;
+}
+
 // It stands in the file, in quotes and as part of other names.
 void refuseStem(const std::string& stem) {
-  if (stem.find_first_of("\"<>&\\\n\r") != std::string::npos ||
-      stem.find("--") != std::string::npos)
-    throw UsageError(fmt::format(
-        "--output {}: in the file's name no quotes, < > & \\ and -- are allowed.", stem));
+  if (stem.find_first_of("\"<>&\\") != std::string::npos || stem.find("--") != std::string::npos ||
+      !isText(stem))
+    throw UsageError(
+        fmt::format("--output {}: in the file's name no quotes, < > & \\, -- and control "
+                    "characters are allowed, and it must be UTF-8.",
+                    printable(stem)));
 }
 
 fs::path outputOf(const ExportArguments& arguments, const LoadedScene& scene, ExportFormat format) {
@@ -77,10 +93,11 @@ void sayHowToGoOn(const ExportArguments& arguments, const fs::path& output, Expo
   if (!pbrt)
     fmt::print("The variant llvm_ad_rgb needs LLVM; where there is none: -m scalar_rgb, slower.\n");
   fmt::print(
-      "Then, with the CPU seconds that it took:\n  ./pathmark bench error {}{} --peer {}={},"
+      "Then, with the CPU seconds that it took:\n  ./pathmark bench error {}{}{} --peer {}={},"
       "SECONDS\n",
       shellWord(arguments.scene),
       arguments.size.empty() ? "" : fmt::format(" --size {}", shellWord(arguments.size)),
+      arguments.maxBounces < 0 ? "" : fmt::format(" --max-bounces {}", arguments.maxBounces),
       pbrt ? "pbrt" : "Mitsuba",
       shellWord(displayPath(fs::path(output).replace_extension(".exr"))));
 }
@@ -89,6 +106,7 @@ int exportScene(const ExportArguments& arguments) {
   const ExportFormat format = findFormat(arguments.format);
   const LoadedScene loaded = load(arguments);
   const WorldScene scene = worldScene(loaded);
+  requireFloats(scene);
   const fs::path output = outputOf(arguments, loaded, format);
   requirePlaceForFile("--output", output);
   const ExportRequest request{
@@ -100,10 +118,10 @@ int exportScene(const ExportArguments& arguments) {
   const std::vector<ExportedFile> files =
       format == ExportFormat::kPbrt ? exportPbrt(scene, request) : exportMitsuba(scene, request);
   // The scene last: it is there only when its meshes are.
-  for (auto file = files.rbegin(); file != files.rend(); ++file) {
-    const fs::path path = output.parent_path() / file->path;
+  for (const ExportedFile& file : std::views::reverse(files)) {
+    const fs::path path = output.parent_path() / file.path;
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
-    writeFileAtomically(path, file->content);
+    writeFileAtomically(path, file.content);
   }
   fmt::print("Wrote {}{}.\n", displayPath(output),
              files.size() > 1 ? fmt::format(" and, in {}_meshes/, {} {}", request.stem,

@@ -84,6 +84,31 @@ TEST_F(ExportedCommands, TheFileNamesTheCommandThatIsPrinted) {
   }
 }
 
+TEST_F(ExportedCommands, CompareWithAReferenceOfTheSameSizeAndBounces) {
+  for (const std::string format : {"mitsuba", "pbrt"}) {
+    const ProcessResult result =
+        exportScene({"ucl_rectangle", "--format", format, "--size", "8x6", "--max-bounces", "0"});
+    expectSays(result, 0, "bench error ucl_rectangle --size 8x6 --max-bounces 0 --peer ");
+  }
+}
+
+TEST_F(ExportedCommands, ASceneThatIsNoFloatsIsRefused) {
+  std::ofstream(folder_ / "huge.json") << R"({
+    "camera": {"eye": [0, 0, 4e60], "target": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": 45},
+    "materials": {"white": {"type": "lambertian", "Kd": [0.5, 0.5, 0.5]}},
+    "shapes": [{"type": "sphere", "material": "white", "centre": [0, 0, 0], "radius": 1e60}]})";
+  for (const std::string format : {"mitsuba", "pbrt"})
+    expectSays(exportScene({"huge.json", "--format", format}), 2,
+               "huge: found a coordinate of size 4e+60, but pbrt and Mitsuba compute in float");
+  EXPECT_FALSE(fs::exists(folder_ / "huge.xml"));
+}
+
+TEST_F(ExportedCommands, RefusesNamesThatAreNoText) {
+  for (const std::string name : {"a\x01.xml", "a\xff.xml"})
+    expectSays(exportScene({"ucl_rectangle", "--format", "mitsuba", "--output", name}), 2,
+               "it must be UTF-8");
+}
+
 TEST_F(ExportedCommands, SaysWhatToDoWithoutLlvm) {
   expectSays(exportScene({"ucl_rectangle", "--format", "mitsuba"}), 0, "-m scalar_rgb");
   const std::string pbrt = exportScene({"ucl_rectangle", "--format", "pbrt"}).output;

@@ -4,6 +4,7 @@
 #include "scene/load_scene.h"
 #include "support/pbrt_reader.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <glm/gtc/constants.hpp>
 
@@ -107,6 +108,67 @@ TEST(ExportPbrt, TrianglesFaceTheWayTheyDo) {
   EXPECT_EQ(triangles, scene.flat.triangles.size());
 }
 
+LoadedScene loadText(const std::string& text) { return loadScene(SceneSource{"made.json", text}); }
+
+// Two spheres, small and large, in front of an eye, with all lengths in this unit.
+std::string spheresInUnits(double unit, const std::string& caption = "") {
+  return fmt::format(R"({{
+    "caption": "{1}",
+    "camera": {{"eye": [0, 0, {2}], "target": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": 45}},
+    "materials": {{"white": {{"type": "lambertian", "Kd": [0.5, 0.5, 0.5]}}}},
+    "shapes": [{{"type": "sphere", "material": "white", "centre": [0, 0, 0], "radius": {0}}},
+               {{"type": "sphere", "material": "white", "centre": [0, 0, {3}],
+                 "radius": {4}}}]}})",
+                     unit, caption, 1.001 * unit, -20000.0 * unit, 15000.0 * unit);
+}
+
+std::string mitsubaOf(const LoadedScene& scene) {
+  return exportMitsuba(worldScene(scene), {"scene"}).front().content;
+}
+
+double valueIn(const std::string& xml, const std::string& name) {
+  const std::string before = "name=\"" + name + "\" value=\"";
+  const std::size_t at = xml.find(before);
+  EXPECT_NE(at, std::string::npos) << name;
+  return at == std::string::npos ? 0.0 : std::stod(xml.substr(at + before.size()));
+}
+
+// From the sphere's nearest point, 0.001 units away, to the other sphere's farthest.
+TEST(ExportMitsuba, WhatTheCameraSeesLiesBetweenTheClippingPlanes) {
+  for (const double unit : {1e-13, 1e-5, 1.0, 1000.0, 1e13}) {
+    SCOPED_TRACE(unit);
+    const std::string xml = mitsubaOf(loadText(spheresInUnits(unit)));
+    const float near = static_cast<float>(valueIn(xml, "near_clip"));
+    const float far = static_cast<float>(valueIn(xml, "far_clip"));
+    EXPECT_GT(near, 0.0f);
+    EXPECT_LT(near, 0.1 * 0.001 * unit);
+    EXPECT_GT(far, 35001.0 * unit);
+    EXPECT_LT(far, 1e6 * unit);
+    // Mitsuba divides by it.
+    EXPECT_TRUE(std::isnormal(near * far));
+  }
+}
+
+TEST(ExportMitsuba, ACommentHasNoCharacterThatXmlForbids) {
+  const std::string xml =
+      mitsubaOf(loadText(spheresInUnits(1.0, R"(a\u0001b\u001bc\ufffed, na\u00efve --- one)")));
+  EXPECT_NE(xml.find("<!-- a?b?c?d, na\u00efve - - - one -->"), std::string::npos)
+      << xml.substr(0, 1000);
+}
+
+TEST(ExportFloats, HoldScenesOfOrdinarySizes) {
+  for (const double unit : {1e-13, 1e-5, 1.0, 1e13})
+    EXPECT_NO_THROW(requireFloats(worldScene(loadText(spheresInUnits(unit))))) << unit;
+}
+
+TEST(ExportFloats, ASceneThatTheyCannotHoldIsRefused) {
+  for (const double unit : {1e-60, 1e-25, 1e18, 1e60})
+    EXPECT_THROW(requireFloats(worldScene(loadText(spheresInUnits(unit)))), SceneError) << unit;
+  WorldScene wide = worldScene(loadText(spheresInUnits(1.0)));
+  wide.camera.fieldOfView = 179.9999999;
+  EXPECT_THROW(requireFloats(wide), SceneError);
+}
+
 // A scene that is tiny and far away is normalised for our worker, and is itself again there.
 TEST(ExportWorld, CoordinatesAreThoseOfTheFile) {
   const std::string text = R"({
@@ -115,7 +177,7 @@ TEST(ExportWorld, CoordinatesAreThoseOfTheFile) {
     "materials": {"white": {"type": "lambertian", "Kd": [0.5, 0.5, 0.5]}},
     "shapes": [{"type": "sphere", "material": "white", "centre": [1000000, 0.00025, 0],
                 "radius": 0.001}]})";
-  const LoadedScene scene = loadScene(SceneSource{"far.json", text});
+  const LoadedScene scene = loadText(text);
   ASSERT_NE(scene.normalisation.shift[0], 0.0);
   const WorldScene world = worldScene(scene);
   EXPECT_NEAR(world.camera.eye.x, 1e6, 1e-6);
