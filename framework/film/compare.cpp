@@ -65,8 +65,10 @@ void testRegions(const std::vector<TileSums>& tiles, const PixelRegion& image,
   for (const TileSums& tile : tiles) whole.merge(tile.sums);
   if (whole.pixels == 0) return;
   const double n = 3.0 * static_cast<double>(whole.pixels);
+  const double magnitude = whole.magnitude[0] + whole.magnitude[1] + whole.magnitude[2];
   RegionTolerance tolerance{.relative = settings.within.value_or(0.0),
-                            .dark = kDark * std::abs(whole.b[0] + whole.b[1] + whole.b[2]) / n};
+                            .dark = kDark * std::abs(whole.b[0] + whole.b[1] + whole.b[2]) / n,
+                            .leastError = kLeastError * magnitude / n};
   result.alphaOfWhole = 0.5 * settings.alpha / 3.0;
   result.alphaOfTile = 0.5 * settings.alpha / (3.0 * static_cast<double>(tiles.size()));
   tolerance.alpha = result.alphaOfWhole;
@@ -102,6 +104,8 @@ Comparison compareImages(const Image& a, const Image& b, const Replicates& repli
   result.same = result.equal || (sound && result.judged &&
                                  std::none_of(result.whole.begin(), result.whole.end(), differs) &&
                                  std::none_of(result.tiles.begin(), result.tiles.end(), differs));
+  result.undecided =
+      !result.same && sound && replicates.any() && !replicates.both() && !settings.within;
   return result;
 }
 

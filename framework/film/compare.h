@@ -24,6 +24,11 @@ struct CompareSettings {
 
 constexpr double kDark = 0.01;
 
+// No standard error counts as smaller than this share of the mean of all of both images: in tiles
+// that are nearly black a variance is too small for 32 bits, is stored as 0, and says nothing.
+// Nobody sees a ten-millionth of an image's brightness.
+constexpr double kLeastError = 1e-7;
+
 struct Comparison {
   UsablePixels pixels;
   Replicates replicates;
@@ -36,6 +41,10 @@ struct Comparison {
   bool judged = false;  // by noise or by a tolerance, not by equality alone
   bool equal = false;   // in every value and every mark
   bool same = false;    // the verdict
+
+  // Not the same, but for means alone, which one image's noise does not explain while that of the
+  // other is unknown, and no tolerance was asked for: it may be noise.
+  bool undecided = false;
 };
 
 // B is the reference. An image without variances counts as exact beside one with them.

@@ -72,8 +72,8 @@ RegionResult testRegion(const RegionSums& sums, const PixelRegion& region, int c
   }
   stats::PooledVariance pooled = sums.varianceA[c];
   pooled.merge(sums.varianceB[c]);
-  const double error =
-      std::max(std::sqrt(pooled.variance()) / n, kRounding * sums.magnitude[c] / n);
+  const double error = std::max(
+      {std::sqrt(pooled.variance()) / n, kRounding * sums.magnitude[c] / n, tolerance.leastError});
   if (difference != 0.0) result.z = difference / error;
   if (excess > 0.0) result.pValue = stats::studentTail(excess / error, pooled.degrees());
   result.differs = result.pValue <= tolerance.alpha;

@@ -22,6 +22,7 @@ struct Replicates {
   std::uint32_t pixelsPerBlockOfA = 1, pixelsPerBlockOfB = 1;
 
   bool any() const { return a > 0 || b > 0; }
+  bool both() const { return a > 0 && b > 0; }
 };
 
 struct RegionSums {
@@ -49,7 +50,8 @@ struct RegionResult {
 struct RegionTolerance {
   double relative = 0.0;  // of the larger of |b| and `dark`
   double dark = 0.0;
-  double alpha = 0.0;  // probability that the noise of equal means is called a difference
+  double alpha = 0.0;       // probability that the noise of equal means is called a difference
+  double leastError = 0.0;  // no standard error of a difference counts as smaller
 };
 
 // Without any variances, means differ where they are further apart than the tolerance. With them,

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As cmp and diff have them.
-enum CompareExit : int { kSame = 0, kDiffer = 1, kTrouble = 2 };
+// As cmp and diff have them, and one more.
+enum CompareExit : int { kSame = 0, kDiffer = 1, kTrouble = 2, kUndecided = 3 };
 
 struct CompareArguments {
   std::string a, b;
@@ -123,6 +123,7 @@ int compare(const CompareArguments& arguments) {
   if (!arguments.difference.empty()) writeDifference(arguments, report);
   if (!arguments.zMap.empty()) writeZMap(arguments, report);
   fmt::print("{}", arguments.json ? compareJson(report) : compareTable(report));
+  if (report.comparison.undecided) return kUndecided;
   return report.comparison.same ? kSame : kDiffer;
 }
 
@@ -149,12 +150,11 @@ void addOptions(CLI::App* command, const std::shared_ptr<CompareArguments>& argu
           ->add_option("--difference", arguments->difference,
                        "Write a - b: .png in red and blue, .exr or .pfm as numbers")
           ->type_name("FILE");
-  command
-      ->add_option("--scale", arguments->scale,
-                   "Difference in full colour (default: what 1 % of the pixels exceed)")
-      ->check(CLI::Range(1e-30, 1e30))
-      ->needs(difference)
-      ->type_name("X");
+  CLI::Option* scale =
+      command->add_option("--scale", arguments->scale,
+                          "Difference in full colour (default: what 1 % of the pixels exceed)");
+  takesNumber(scale, 1e-30, 1e30, "X");
+  scale->needs(difference);
   command
       ->add_option("--z-map", arguments->zMap,
                    "Write a .png of the tiles' differences in standard errors")
@@ -162,12 +162,11 @@ void addOptions(CLI::App* command, const std::shared_ptr<CompareArguments>& argu
   takesWholeNumber(command->add_option("--tile", arguments->settings.tile,
                                        "Pixels per side of a tile (default: 8)"),
                    1, 65536);
-  command
-      ->add_option("--alpha", arguments->settings.alpha,
-                   "Share of comparisons in which noise alone is called a difference (default: "
-                   "0.001)")
-      ->check(CLI::Range(1e-12, 0.5))
-      ->type_name("P");
+  takesNumber(command->add_option(
+                  "--alpha", arguments->settings.alpha,
+                  "Share of comparisons in which noise alone is called a difference (default: "
+                  "0.001)"),
+              1e-12, 0.5, "P");
   command
       ->add_option("--within", arguments->within,
                    "Accept means of the image and its tiles that differ by this share, such as 1%; "
@@ -193,7 +192,10 @@ void addCompareCommand(CLI::App& app, CommandAction& action) {
       "of all tiles and of the whole image are tested. Others are the same if every value is "
       "equal,\n"
       "or with --within if these means agree. Pixels without a value are left out.\n"
-      "Exit code: 0 the same, 1 they differ, 2 they could not be compared.");
+      "Of an image with variances and one without, a difference may be noise that nobody knows:\n"
+      "without --within, that is no verdict.\n"
+      "Exit code: 0 the same, 1 they differ, 2 they could not be compared, 3 one of them does not\n"
+      "say how noisy it is, and it cannot be told.");
   command->callback(
       [arguments, &action] { action = [arguments] { return compareOrComplain(*arguments); }; });
 }

@@ -29,8 +29,8 @@ Json imageJson(const std::filesystem::path& name, const ImageFile& file, const F
           {"pixelsOfBrokenVariance", flaws.noVariance}};
 }
 
-// Unknown numbers are null, as are those that are not finite.
-Json regionJson(const RegionResult& r, const Replicates& replicates) {
+// What is unknown is null, as are numbers that are not finite.
+Json regionJson(const RegionResult& r, const Replicates& replicates, bool undecided) {
   const auto known = [](double value, bool is) { return is ? Json(value) : Json(nullptr); };
   return {{"left", r.region.left},
           {"top", r.region.top},
@@ -45,7 +45,7 @@ Json regionJson(const RegionResult& r, const Replicates& replicates) {
           {"ratio", r.a / r.b},
           {"z", known(r.z, replicates.any())},
           {"p", known(r.pValue, replicates.any())},
-          {"differs", r.differs}};
+          {"differs", undecided && r.differs ? Json(nullptr) : Json(r.differs)}};
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ Json regionJson(const RegionResult& r, const Replicates& replicates) {
 std::string compareJson(const CompareReport& report) {
   const Comparison& comparison = report.comparison;
   const CompareSettings& settings = report.settings;
-  Json json{{"same", comparison.same},
+  Json json{{"same", comparison.undecided ? Json(nullptr) : Json(comparison.same)},
             {"equal", comparison.equal},
             {"verdict", verdictSentence(report)},
             {"notes", compareNotes(report)},
@@ -68,12 +68,13 @@ std::string compareJson(const CompareReport& report) {
             {"alphaOfWhole", comparison.alphaOfWhole},
             {"alphaOfTile", comparison.alphaOfTile},
             {"within", settings.within ? Json(*settings.within) : Json(nullptr)}};
-  json["whole"] = Json::array();
-  for (const RegionResult& r : comparison.whole)
-    json["whole"].push_back(regionJson(r, comparison.replicates));
-  json["furthestTiles"] = Json::array();
-  for (const RegionResult& r : furthestTiles(comparison))
-    json["furthestTiles"].push_back(regionJson(r, comparison.replicates));
+  const auto add = [&](const char* where, const std::vector<RegionResult>& regions) {
+    json[where] = Json::array();
+    for (const RegionResult& r : regions)
+      json[where].push_back(regionJson(r, comparison.replicates, comparison.undecided));
+  };
+  add("whole", comparison.whole);
+  add("furthestTiles", furthestTiles(comparison));
   json["pictures"] = Json::array();
   for (const ComparePicture& picture : report.pictures)
     json["pictures"].push_back(

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
+#include <string>
 
 namespace pathmark {
 
@@ -33,14 +35,21 @@ std::string error(double value, bool known) {
   return known ? fmt::format("{:.2g}", value) : std::string("-");
 }
 
-void addNumbers(Text out, const RegionResult& r, const Replicates& replicates) {
+// Of black to black, or of anything to black, there is none.
+std::string ratio(const RegionResult& r) {
+  const double value = r.a / r.b;
+  return std::isfinite(value) ? fmt::format("{:.5f}", value) : std::string("-");
+}
+
+void addNumbers(Text out, const RegionResult& r, const Comparison& comparison) {
+  const Replicates& replicates = comparison.replicates;
   if (!replicates.any())
-    fmt::format_to(out, "{:>12.6g} {:>12.6g} {:>9.5f}", r.a, r.b, r.a / r.b);
+    fmt::format_to(out, "{:>12.6g} {:>12.6g} {:>9}", r.a, r.b, ratio(r));
   else
-    fmt::format_to(out, "{:>12.6g} {:>9} {:>12.6g} {:>9} {:>9.5f} {:>+9.2f} {:>9.2g}", r.a,
+    fmt::format_to(out, "{:>12.6g} {:>9} {:>12.6g} {:>9} {:>9} {:>+9.2f} {:>9.2g}", r.a,
                    error(r.errorA, replicates.a > 0), r.b, error(r.errorB, replicates.b > 0),
-                   r.a / r.b, r.z, r.pValue);
-  fmt::format_to(out, "{}\n", r.differs ? "  differs" : "");
+                   ratio(r), r.z, r.pValue);
+  fmt::format_to(out, "{}\n", r.differs && !comparison.undecided ? "  differs" : "");
 }
 
 void addHead(Text out, const char* first, const Replicates& replicates) {
@@ -62,8 +71,25 @@ void addTiles(Text out, const CompareReport& report) {
   for (const RegionResult& r : tiles) {
     fmt::format_to(out, "{:>6} {:>6} {:<8}", r.region.left, r.region.top,
                    kChannelNames[static_cast<std::size_t>(r.channel)]);
-    addNumbers(out, r, replicates);
+    addNumbers(out, r, report.comparison);
   }
+}
+
+void addMeaningOfNumbers(Text out, const CompareReport& report) {
+  const Comparison& comparison = report.comparison;
+  const Replicates& replicates = comparison.replicates;
+  if (comparison.undecided)
+    fmt::format_to(out,
+                   "\nz = (A - B) / error of {0}; p = probability of such a z if only the noise of "
+                   "{0} differs.\n",
+                   replicates.a > 0 ? 'A' : 'B');
+  else if (replicates.any())
+    fmt::format_to(
+        out,
+        "\nz = (A - B) / error; p = probability of such a z if only noise differs. A mean "
+        "of the image\ndiffers from p = {:.2g} on, one of a tile from {:.2g} on: images "
+        "that are the same are said to\ndiffer in {:.3g} of all comparisons.\n",
+        comparison.alphaOfWhole, comparison.alphaOfTile, report.settings.alpha);
 }
 
 }  // namespace
@@ -85,16 +111,10 @@ std::string compareTable(const CompareReport& report) {
   addHead(out, "image, channel", replicates);
   for (const RegionResult& r : comparison.whole) {
     fmt::format_to(out, "{:<22}", kChannelNames[static_cast<std::size_t>(r.channel)]);
-    addNumbers(out, r, replicates);
+    addNumbers(out, r, comparison);
   }
   addTiles(out, report);
-  if (replicates.any())
-    fmt::format_to(
-        out,
-        "\nz = (A - B) / error; p = probability of such a z if only noise differs. A mean "
-        "of the image\ndiffers from p = {:.2g} on, one of a tile from {:.2g} on: images "
-        "that are the same are said to\ndiffer in {:.3g} of all comparisons.\n",
-        comparison.alphaOfWhole, comparison.alphaOfTile, report.settings.alpha);
+  addMeaningOfNumbers(out, report);
   if (!report.pictures.empty()) text += '\n';
   for (const ComparePicture& picture : report.pictures)
     fmt::format_to(out, "{}: {}\n", picture.file.string(), picture.what);

@@ -39,6 +39,15 @@ std::string flawsOf(const Flaws& flaws) {
   return listOf(parts);
 }
 
+// Of one image with variances and one without them.
+std::string undecidedSentence(const CompareReport& report) {
+  const std::size_t silent = report.comparison.replicates.a > 0 ? 1 : 0;
+  return fmt::format(
+      "It cannot be told whether they differ by more than noise: {} does not say how noisy it is; "
+      "render it to an .exr file with --replicates 16.",
+      report.names[silent].string());
+}
+
 std::string_view criterion(const CompareReport& report) {
   return report.comparison.replicates.any() ? "noise explains" : "is accepted";
 }
@@ -61,6 +70,7 @@ std::string verdictSentence(const CompareReport& report) {
   if (comparison.pixels.a.broken() > 0 || comparison.pixels.b.broken() > 0)
     return "They differ: there are pixels without a value.";
   if (!comparison.pixels.sameMarks) return "They differ: other pixels are marked as invalid.";
+  if (comparison.undecided) return undecidedSentence(report);
   if (!comparison.judged)
     return fmt::format("They differ: {} of {} are not equal.", comparison.differentValues,
                        count(3 * comparison.pixels.count, "value"));
@@ -88,7 +98,12 @@ std::vector<std::string> compareNotes(const CompareReport& report) {
           "{} does not say from how many replicates its variances are: 2 are assumed.", name));
   }
   const bool varianceA = comparison.replicates.a > 0, varianceB = comparison.replicates.b > 0;
-  if (varianceA != varianceB)
+  if (comparison.undecided)
+    notes.push_back(
+        fmt::format("Only {} has variances: if {} is exact, they differ; --within 1% accepts small "
+                    "differences of means.",
+                    varianceA ? 'A' : 'B', varianceA ? 'B' : 'A'));
+  else if (varianceA != varianceB)
     notes.push_back(fmt::format("Only {} has variances: {} counts as exact.", varianceA ? 'A' : 'B',
                                 varianceA ? 'B' : 'A'));
   if (!comparison.judged && !comparison.equal)
@@ -97,9 +112,12 @@ std::vector<std::string> compareNotes(const CompareReport& report) {
         "differences of means.");
   if (!a.sceneHash.empty() && !b.sceneHash.empty() && a.sceneHash != b.sceneHash)
     notes.push_back(
-        fmt::format("They are of different scenes: {} and {}, or another version, size "
-                    "or number of bounces.",
-                    printable(a.scene), printable(b.scene)));
+        a.scene == b.scene
+            ? fmt::format("Both are of {}, but of another version or size of it, another number of "
+                          "bounces, or only one of them by --solid-angle.",
+                          printable(a.scene))
+            : fmt::format("They are of different scenes: {} and {}.", printable(a.scene),
+                          printable(b.scene)));
   const auto pathsOf = [](const ImageOrigin& origin) {
     return origin.paths.empty() ? std::string("all light") : printable(origin.paths);
   };

@@ -24,16 +24,23 @@ inline void takesWholeNumber(CLI::Option* option, std::int64_t low, std::int64_t
   option->check(CLI::Validator(check, ""))->type_name("N");
 }
 
-// Accepts a number of seconds of this range. Shown as SECONDS in --help.
-inline void takesSeconds(CLI::Option* option, double low, double high) {
-  const auto check = [low, high](const std::string& text) -> std::string {
+// Accepts a number of this range, and says so of anything else; `what` is "a number", or one of
+// something.
+inline void takesNumber(CLI::Option* option, double low, double high, const char* typeName,
+                        const char* what = "a number") {
+  const auto check = [low, high, what](const std::string& text) -> std::string {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool number = error == std::errc{} && end == text.data() + text.size();
     if (number && value >= low && value <= high) return {};
-    return fmt::format("found {}, allowed is a number of seconds from {} to {}", text, low, high);
+    return fmt::format("found {}, allowed is {} from {} to {}", text, what, low, high);
   };
-  option->check(CLI::Validator(check, ""))->type_name("SECONDS");
+  option->check(CLI::Validator(check, ""))->type_name(typeName);
+}
+
+// Accepts a number of seconds of this range. Shown as SECONDS in --help.
+inline void takesSeconds(CLI::Option* option, double low, double high) {
+  takesNumber(option, low, high, "SECONDS", "a number of seconds");
 }
 
 // Accepts any text but an empty one, as a shell makes it of a variable that is not set: it would be

@@ -51,6 +51,19 @@ class CompareCommand : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(CompareCommand, BlackHasNoRatio) {
+  Image black = gradientImage(9, 7);
+  for (float& value : black.rgb) value = 0.0f;
+  write("black.pfm", black);
+  write("light.pfm", gradientImage(9, 7));
+  for (const auto& [other, code] : {std::pair{"black.pfm", 0}, std::pair{"light.pfm", 1}}) {
+    const ProcessResult result = compare({other, "black.pfm"});
+    expectSays(result, code, "0         -");
+    EXPECT_EQ(result.output.find("nan"), std::string::npos) << result.output;
+    EXPECT_EQ(result.output.find("inf"), std::string::npos) << result.output;
+  }
+}
+
 TEST_F(CompareCommand, EqualImagesAreTheSame) {
   for (const char* name : {"a.exr", "a.pfm", "a.hdr", "a.png"}) {
     write(name, gradientImage(9, 7));
@@ -101,7 +114,35 @@ TEST_F(CompareCommand, WhatLimitsTheComparisonIsSaid) {
   const ProcessResult result = compare({"c.exr", "a.exr"});
   expectSays(result, 0,
              "A does not say from how many replicates its variances are: 2 are assumed.");
-  expectSays(result, 0, "They are of different scenes: hall and room");
+  expectSays(result, 0, "They are of different scenes: hall and room.");
+}
+
+TEST_F(CompareCommand, OneSceneInTwoWaysIsNotCalledTwoScenes) {
+  write("a.exr", gradientImage(9, 7), {.scene = "room", .sceneHash = "1"});
+  write("b.exr", gradientImage(9, 7), {.scene = "room", .sceneHash = "2"});
+  const ProcessResult result = compare({"a.exr", "b.exr"});
+  expectSays(result, 0, "Both are of room, but of another version");
+  expectSays(result, 0, "or only one of them by --solid-angle.");
+  EXPECT_EQ(result.output.find("different scenes"), std::string::npos) << result.output;
+}
+
+TEST_F(CompareCommand, OfANoisyPictureWithoutVariancesNoVerdictIsGiven) {
+  writeNoisy("reference.exr", 1);
+  Image image = readImage(folder_ / "reference.exr").image;
+  image.variance.clear();
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] *= i % 2 == 0 ? 1.3f : 0.7f;
+  for (std::size_t i = 0; i < 24; ++i) image.rgb[i] *= 2.0f;
+  write("mine.exr", image);
+  const ProcessResult result = compare({"mine.exr", "reference.exr"});
+  expectSays(result, 3, "mine.exr does not say how noisy it is");
+  expectSays(result, 3, "with --replicates 16");
+  expectSays(result, 3, "relMSE");
+  EXPECT_EQ(result.output.find("They differ"), std::string::npos) << result.output;
+  EXPECT_EQ(result.output.find("  differs"), std::string::npos) << result.output;
+  const ProcessResult json = compare({"mine.exr", "reference.exr", "--json"});
+  EXPECT_EQ(json.exitCode, 3);
+  EXPECT_TRUE(nlohmann::json::parse(json.output)["same"].is_null());
+  expectSays(compare({"mine.exr", "reference.exr", "--within", "1%"}), 1, "They differ");
 }
 
 TEST_F(CompareCommand, PixelsWithoutAValueAreToldOf) {
@@ -185,7 +226,10 @@ TEST_F(CompareCommand, TroubleIsASentenceAndExitCodeTwo) {
       {{"a.exr", "b.pfm", "--within", "1%%"}, "a fraction such as 1%"},
       {{"a.exr", "b.pfm", "--within", "nan"}, "a fraction such as 1%"},
       {{"a.exr", "b.pfm", "--tile", "0"}, "a whole number from 1"},
-      {{"a.exr", "b.pfm", "--alpha", "0"}, "--alpha"},
+      {{"a.exr", "b.pfm", "--alpha", "0"},
+       "--alpha: found 0, allowed is a number from 1e-12 to 0.5"},
+      {{"a.exr", "b.pfm", "--difference", "d.png", "--scale", "0"},
+       "--scale: found 0, allowed is a number from 1e-30 to 1e+30"},
       {{"a.exr", "b.pfm", "c.pfm"}, "c.pfm was not expected"},
       {{"a.exr", "b.pfm", "--diff", "d.png"}, "--diff"},
   };

@@ -279,6 +279,50 @@ TEST(Compare, ATolerancePardonsWhatNoiseDoesNotExplain) {
   EXPECT_TRUE(compareImages(a, b, {.within = 0.03}).same);
 }
 
+// Variances of values below 1e-19 are too small for a float.
+TEST(Compare, WhatIsFarTooFaintToBeSeenIsNoDifference) {
+  Image image{16, 8, std::vector<float>(384, 1.0f), {}, std::vector<float>(384, 1e-4f)};
+  for (std::size_t i = 0; i < image.rgb.size(); ++i)
+    if (i / 3 % 16 >= 8) image.rgb[i] = image.variance[i] = 0.0f;
+  Image other = image;
+  const auto light = [&](float value) {
+    for (std::size_t i = 0; i < other.rgb.size(); ++i)
+      if (i / 3 % 16 >= 8) other.rgb[i] = value;
+  };
+  for (const float faint : {1e-37f, 1e-25f, 1e-9f}) {
+    light(faint);
+    EXPECT_TRUE(compareImages(fileOf(other, 16), fileOf(image, 16), {}).same) << faint;
+  }
+  light(1e-5f);
+  EXPECT_FALSE(compareImages(fileOf(other, 16), fileOf(image, 16), {}).same);
+}
+
+TEST(Compare, WhatMayBeTheNoiseOfAnImageWithoutVariancesIsUndecided) {
+  Uniforms random(9);
+  const ImageFile reference = noisyImage(32, 32, 16, normal, 0.01, random, uneven);
+  ImageFile noisy = noisyImage(32, 32, 16, normal, 0.5, random, uneven);
+  EXPECT_FALSE(compareImages(noisy, reference, {}).undecided);
+  noisy.image.variance.clear();
+  using Two = std::pair<const ImageFile*, const ImageFile*>;
+  for (const auto& [a, b] : {Two{&noisy, &reference}, Two{&reference, &noisy}}) {
+    const Comparison c = compareImages(*a, *b, {});
+    EXPECT_FALSE(c.same);
+    EXPECT_TRUE(c.undecided);
+    EXPECT_FALSE(compareImages(*a, *b, {.within = 0.001}).undecided);
+    EXPECT_TRUE(compareImages(*a, *b, {.within = 0.9}).same);
+  }
+  noisy.image.rgb[0] = kNan;
+  EXPECT_FALSE(compareImages(noisy, reference, {}).undecided);
+}
+
+TEST(Compare, AnImageWithoutVariancesIsTheSameWhereTheNoiseOfTheOtherExplainsIt) {
+  Uniforms random(10);
+  const Comparison c =
+      compareImages(noisyImage(32, 32, 16, normal, 0.1, random, uneven), exactImage(32, 32), {});
+  EXPECT_TRUE(c.same);
+  EXPECT_FALSE(c.undecided);
+}
+
 TEST(Compare, PixelsWithoutAValueAreCountedLeftOutAndADifference) {
   const Image image = gradientImage(16, 16, 1e-4f);
   Image broken = image;
