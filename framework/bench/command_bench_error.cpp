@@ -83,7 +83,8 @@ ErrorPlan planFor(const BenchErrorArguments& arguments) {
       arguments.scenes.empty() ? std::vector<std::string>{"cornell_box"} : arguments.scenes;
   plan.with = arguments.with;
   plan.estimators = findEstimators(arguments.with, arguments.estimators);
-  for (const std::string& name : arguments.samplers) plan.samplers.push_back(findSampler(name));
+  for (const std::string& name : arguments.samplers)
+    plan.samplers.push_back(findSampler(name, "--samplers"));
   plan.raysPerPixel = readRays(arguments.rays);
   plan.replicates = static_cast<std::uint64_t>(arguments.replicates);
   plan.seed = static_cast<std::uint64_t>(arguments.seed);

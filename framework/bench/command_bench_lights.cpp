@@ -94,10 +94,10 @@ void addRows(Table& table, const BenchScene& scene, const std::vector<Measured>&
 
 int benchLights(const BenchLightsArguments& arguments) {
   refuseJsonFile(arguments.json);
-  const PictureFolder folder("");
-  const RenderRuns runs(prepareCoursework(arguments.with), folder.path());
   std::vector<BenchScene> scenes;
   for (const std::string& name : arguments.scenes) scenes.push_back(loadBenchScene(name, name));
+  const PictureFolder folder("");
+  const RenderRuns runs(prepareCoursework(arguments.with), folder.path());
   Progress progress("bench lights",
                     static_cast<double>(scenes.size() * ways().size()) * double(arguments.seeds));
   Table table{"lights",

@@ -16,7 +16,10 @@ namespace pathmark::bench {
 namespace fs = std::filesystem;
 
 BenchScene loadBenchScene(const std::string& key, const std::string& name) {
+  findScene(name);
   const fs::path file = shippedSceneFile(name);
+  if (!fs::exists(file))
+    throw UsageError(fmt::format("{} is no scene in scenes/: only those have references.", name));
   if (needsShippedBlobFile(file) && makeShippedBlobFile())
     fmt::print(stderr, "Made {}, the mesh of the scene {}.\n", displayPath(shippedBlobFile()),
                name);

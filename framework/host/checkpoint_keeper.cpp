@@ -36,11 +36,24 @@ std::string raysOf(const CheckpointIdentity& identity, const RenderState& state)
   return fmt::format("{:.{}f}", raysPerPixelOf(identity, state), state.row > 0 ? 1 : 0);
 }
 
+fs::path checkpointOf(const fs::path& picture) { return picture.string() + ".checkpoint"; }
+
+bool isThere(const fs::path& checkpoint) {
+  std::error_code error;
+  const fs::file_status status = fs::status(checkpoint, error);
+  if (status.type() == fs::file_type::none)
+    throw UsageError(fmt::format("{}: the picture's checkpoint cannot be there ({}).",
+                                 checkpoint.string(), error.message()));
+  return fs::exists(status);
+}
+
 }  // namespace
+
+void requirePlaceForCheckpoint(const fs::path& picture) { isThere(checkpointOf(picture)); }
 
 CheckpointKeeper::CheckpointKeeper(const fs::path& picture, CheckpointIdentity identity,
                                    const CheckpointOptions& options)
-    : file_(picture.string() + ".checkpoint"), identity_(std::move(identity)), options_(options) {}
+    : file_(checkpointOf(picture)), identity_(std::move(identity)), options_(options) {}
 
 RenderState CheckpointKeeper::begin() {
   written_ = Clock::now();
@@ -48,7 +61,7 @@ RenderState CheckpointKeeper::begin() {
     look();
     return {};
   }
-  if (!fs::exists(file_)) {
+  if (!isThere(file_)) {
     fmt::print(stderr, "There is no {}: the render starts from the beginning.\n", file_.string());
     return {};
   }
@@ -76,7 +89,7 @@ RenderState CheckpointKeeper::readOrRefuse() {
 
 // A render that does not go on from what is there.
 void CheckpointKeeper::look() {
-  if (!fs::exists(file_)) return;
+  if (!isThere(file_)) return;
   std::string why;
   try {
     Checkpoint checkpoint = readCheckpointHeader(file_);

@@ -18,6 +18,10 @@ struct CheckpointOptions {
   double everySeconds = 60.0;  // 0: no checkpoints
 };
 
+// Throws UsageError where no file can have the name of the picture's checkpoint, which is longer
+// than that of the picture.
+void requirePlaceForCheckpoint(const std::filesystem::path& picture);
+
 class CheckpointKeeper {
  public:
   CheckpointKeeper(const std::filesystem::path& picture, CheckpointIdentity identity,

@@ -179,7 +179,10 @@ int render(RenderArguments& arguments) {
     arguments.output = fmt::format("{}_{}.png", scene.name, courseworkName(arguments.with));
   arguments.picture.output = arguments.output;
   refuseOutput(arguments.output, settingsFor(scene, options).pixels());
-  if (arguments.targetError.empty()) noteVariance(arguments.output, options);
+  if (arguments.targetError.empty()) {
+    requirePlaceForCheckpoint(arguments.output);
+    noteVariance(arguments.output, options);
+  }
   if (arguments.warmUp) noteSpheres(scene);
   if (!arguments.targetError.empty()) return renderToStatedError(arguments, scene);
   return renderPicture(prepareCoursework(arguments.with), scene, arguments.picture);

@@ -29,10 +29,12 @@ StubReport askWorker(const CourseworkBuild& build) {
 
 // What is broken comes before what is not there yet.
 std::optional<std::string> whatToMend(const CourseworkBuild& build) {
-  for (const PartBuild& part : build.parts)
+  for (const PartBuild& part : build.parts) {
+    if (part.missing) return "put the file back: " + part.failure();
     if (!part.compiled)
       return fmt::format("mend {}, which does not compile:{}", displayPath(part.source),
                          part.messages);
+  }
   if (!build.linkMessages.empty()) return "mend this: " + build.failure();
   return std::nullopt;
 }
@@ -51,15 +53,17 @@ std::optional<std::string> showPart(const PartBuild& part, const StubReport& rep
     return std::nullopt;
   }
   if (!part.compiled) {
-    fmt::print("{} does not compile\n", title);
+    fmt::print("{} {}\n", title, part.problem());
     return std::nullopt;
   }
   fmt::print("{} {}{} of {} written\n", title, part.part.bonus ? "bonus, " : "",
              all.size() - missing.size(), all.size());
   for (const FunctionContract& f : missing) fmt::print("          {}  {}\n", f.section, f.name);
   if (missing.empty()) return std::nullopt;
-  return fmt::format("write {} in {}; the task stands above it, the chapter is {}.",
-                     missing.front().name, displayPath(part.source), handoutOf(part.part));
+  return fmt::format(
+      "write {} in {}; the task stands above it, the chapter is {}. Its line "
+      "PATHMARK_UNIMPLEMENTED(...) is still there: take it away when the function is written.",
+      missing.front().name, displayPath(part.source), handoutOf(part.part));
 }
 
 // Part 7 is scenes: one counts as written when it has a caption.

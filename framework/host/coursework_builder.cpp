@@ -69,6 +69,14 @@ const std::string& toolchainStamp() {
   return all;
 }
 
+// What helps where a file of a folder cannot be had. Of student/ itself it would say nothing.
+std::string_view whatAFolderHolds(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::equivalent(folder, kProjectFolder / "student", ignored)
+             ? ""
+             : "; a coursework folder holds the same files as student/";
+}
+
 std::string folderPrefix(const fs::path& folder) {
   return fs::absolute(folder).lexically_normal().string() + "/";
 }
@@ -80,13 +88,20 @@ fs::path sourceOf(const fs::path& folder, std::string_view file) {
   return labOwner(folder) / file;
 }
 
-// What the compiler says of the copy, said of the file that people know.
-std::string nameOriginal(std::string text, const ScratchFolder& scratch, const fs::path& folder) {
-  const std::string from = scratch.path().string() + "/";
-  const std::string to = displayPath(folder) + "/";
+std::string replaceAll(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
   return text;
+}
+
+fs::path warningsOf(fs::path object) { return object.replace_extension(".warnings"); }
+
+void keepWarnings(const fs::path& object, const std::string& warnings) {
+  if (warnings.empty()) return;
+  const ScratchFolder own(nullptr);
+  const fs::path written = own / "warnings";
+  std::ofstream(written, std::ios::binary) << warnings;
+  fs::rename(written, warningsOf(object));
 }
 
 std::vector<std::string> compileCommand(Workshop& workshop, const fs::path& source,
@@ -128,7 +143,8 @@ bool keepObject(const Workshop& workshop, const fs::path& made, const fs::path& 
 
 // Compiles a copy that is alone in its folder, so that no other file can be included, to an object
 // in which only the names of the contract are visible: a helper function with the name of another
-// part's helper, or of a library function, replaces nothing.
+// part's helper, or of a library function, replaces nothing. What the compiler says of the copy is
+// said of the file that people know, by its whole path.
 bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::string& code,
                    const fs::path& source, const fs::path& object, std::string& messages) {
   const ScratchFolder scratch(confinement.get());
@@ -140,7 +156,9 @@ bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::s
   const ProcessResult compiled = workshop.run(
       compileCommand(workshop, copy, raw, scratch.path().string() + "/=" + folderPrefix(folder)),
       scratch);
-  if (!compiled.output.empty()) messages = "\n" + nameOriginal(compiled.output, scratch, folder);
+  if (!compiled.output.empty())
+    messages =
+        "\n" + replaceAll(compiled.output, scratch.path().string() + "/", folderPrefix(folder));
   if (compiled.timedOut)
     messages += fmt::format("The compiler was stopped after {:g} s.\n", compiled.timeLimitSeconds);
   if (compiled.exitCode != 0) return false;
@@ -159,6 +177,7 @@ bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::s
     messages += step.output;
     return false;
   }
+  keepWarnings(object, messages);
   return keepObject(tools, merged, object, messages);
 }
 
@@ -179,8 +198,9 @@ void buildPart(PartBuild& part, const std::shared_ptr<Confinement>& confinement)
   }
   const std::optional<std::string> code = readFile(part.source);
   if (!code) {
-    part.messages = fmt::format(" it {}; a coursework folder holds the same files as student/.",
-                                fs::exists(part.source) ? "cannot be read" : "is missing");
+    part.missing = !fs::exists(part.source, error);
+    part.messages = fmt::format(" it {}{}.", part.missing ? "is missing" : "cannot be read",
+                                whatAFolderHolds(part.source.parent_path()));
     return;
   }
   const std::string key = contentHash(toolchainStamp() + Workshop(confinement).name() +
@@ -191,10 +211,14 @@ void buildPart(PartBuild& part, const std::shared_ptr<Confinement>& confinement)
   const fs::path made = folder / (key + ".o");
   if (fs::exists(made)) {
     markUsed(made);
+    part.messages = readFile(warningsOf(made)).value_or("");
     part.compiled = true;
   } else {
     part.compiled = compileObject(confinement, *code, part.source, made, part.messages);
   }
+  markUsed(warningsOf(made));  // the later of the two, so that the object is the first to go
+  const fs::path sources = part.source.parent_path();
+  part.messages = replaceAll(part.messages, folderPrefix(sources), displayPath(sources) + "/");
   if (part.compiled) part.object = made;
 }
 
@@ -336,6 +360,19 @@ std::string linkFailure(const fs::path& folder, const std::string& messages) {
 
 }  // namespace
 
+std::string_view PartBuild::problem() const { return missing ? "is missing" : "does not compile"; }
+
+std::string PartBuild::failure() const {
+  if (missing)
+    return fmt::format("{} is missing{}.", displayPath(source),
+                       whatAFolderHolds(source.parent_path()));
+  return fmt::format("{} does not compile:{}", displayPath(source), messages);
+}
+
+std::string_view PartBuild::warnings() const {
+  return compiled ? std::string_view(messages) : std::string_view();
+}
+
 bool CourseworkBuild::complete() const {
   return std::all_of(parts.begin(), parts.end(), [](const PartBuild& p) { return p.compiled; });
 }
@@ -343,8 +380,7 @@ bool CourseworkBuild::complete() const {
 std::string CourseworkBuild::failure() const {
   std::string text;
   for (const PartBuild& p : parts)
-    if (!p.compiled)
-      text += fmt::format("{} does not compile:{}\n", displayPath(p.source), p.messages);
+    if (!p.compiled) text += p.failure() + "\n";
   if (!linkMessages.empty()) text += linkFailure(folder, linkMessages);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
@@ -393,7 +429,7 @@ LinkedWorker linkWithOthers(const CourseworkBuild& build, std::span<const int> p
     const CourseworkBuild& from = own ? build : others;
     const PartBuild& chosen = from.parts.at(placeOfPart(part.part.part));
     if (!chosen.compiled)
-      return {{}, fmt::format("{} does not compile.", displayPath(chosen.source))};
+      return {{}, fmt::format("{} {}.", displayPath(chosen.source), chosen.problem())};
     addObject(inputs, chosen);
   }
   const fs::path folder = linkedFolder(inputs);

@@ -3,7 +3,8 @@
 // Only the expected file names are compiled, each by itself, from the bytes that were read once;
 // other files of the folder cannot be included; what a lab (lab.h) does not change is taken from
 // the coursework that it belongs to. Objects and workers are kept by the hash of what they were
-// made from, so that only what changed is compiled again.
+// made from, so that only what changed is compiled again. The warnings are kept beside the object:
+// they are said until their cause is mended.
 #pragma once
 
 #include "host/confinement.h"
@@ -13,6 +14,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pathmark {
@@ -22,8 +24,17 @@ struct PartBuild {
   std::filesystem::path source;
   std::filesystem::path object;  // empty if it could not be compiled
   bool compiled = false;
-  std::string messages;  // warnings of a new compilation, or why the part could not be compiled
+  std::string messages;  // the compiler's warnings, or why the part could not be compiled
   bool absent = false;   // a bonus part without a file: the framework's stubs stand in for it
+  bool missing = false;  // any other part without a file
+
+  // Of a part that could not be compiled: "does not compile" or "is missing"; and a sentence, with
+  // the compiler's words.
+  std::string_view problem() const;
+  std::string failure() const;
+
+  // What the compiler warns of in a part that was compiled; empty if nothing.
+  std::string_view warnings() const;
 };
 
 struct CourseworkBuild {

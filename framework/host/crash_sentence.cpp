@@ -121,10 +121,11 @@ std::string signalName(int signal) {
 }
 
 std::string crashPlace(const CrashRecord& record, const fs::path& program,
-                       const fs::path& courseworkFolder, bool callers, Confinement* confinement) {
+                       const fs::path& courseworkFolder, Confinement* confinement) {
   constexpr int kMostCallers = 3;
   const fs::path folder = fs::absolute(courseworkFolder).lexically_normal();
   std::string place, last;
+  fs::path lastFile;
   int shown = 0;
   for (const Frame& frame : frames(record, program, confinement)) {
     const fs::path file = fs::path(frame.file).lexically_normal();
@@ -133,11 +134,12 @@ std::string crashPlace(const CrashRecord& record, const fs::path& program,
     const std::string name = briefName(frame.function);
     if (place.empty()) {
       place = fmt::format("{}:{}, in {}", displayPath(file), frame.line, name);
-      if (!callers) return place;
     } else if (name != last && shown++ < kMostCallers) {
-      place += fmt::format(", called from {} (line {})", name, frame.line);
+      const std::string where = file == lastFile ? "" : displayPath(file) + ", ";
+      place += fmt::format(", called from {} ({}line {})", name, where, frame.line);
     }
     last = name;
+    lastFile = file;
   }
   return place;
 }
@@ -145,7 +147,7 @@ std::string crashPlace(const CrashRecord& record, const fs::path& program,
 std::string crashSentence(const CrashRecord& record, const fs::path& program,
                           const fs::path& courseworkFolder, std::size_t memoryBytes,
                           Confinement* confinement) {
-  const std::string place = crashPlace(record, program, courseworkFolder, false, confinement);
+  const std::string place = crashPlace(record, program, courseworkFolder, confinement);
   return fmt::format("{}: {}", place.empty() ? "The coursework crashed" : place,
                      whatHappened(record, memoryBytes));
 }

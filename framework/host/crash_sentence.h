@@ -15,10 +15,10 @@
 namespace pathmark {
 
 // "student/part5_path.cpp:31, in LitScene::tracePath", the innermost frame that lies in the
-// coursework folder; empty if there is none. With `callers`, the functions of the coursework that
-// led there follow, ", called from ...".
+// coursework folder; empty if there is none. The functions of the coursework that led there follow,
+// ", called from LitScene::renderPixel (student/part1_stratified.cpp, line 16)".
 std::string crashPlace(const CrashRecord& record, const std::filesystem::path& program,
-                       const std::filesystem::path& courseworkFolder, bool callers = false,
+                       const std::filesystem::path& courseworkFolder,
                        Confinement* confinement = nullptr);
 
 // The whole sentence, of a worker that may have so much memory.

@@ -14,6 +14,9 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
 #include <system_error>
 
 namespace pathmark {
@@ -55,6 +58,14 @@ int complainOfExtras(const CLI::App& app) {
 int complain(const char* sentence, int code) {
   fmt::print(stderr, "{}\n", sentence);
   return code;
+}
+
+// A name that no file can have is the command line's fault.
+int complainOfFile(const std::filesystem::filesystem_error& e) {
+  const bool impossibleName = e.code() == std::errc::filename_too_long ||
+                              e.code() == std::errc::too_many_symbolic_link_levels;
+  const std::string sentence = fmt::format("{}: {}.", e.path1().string(), e.code().message());
+  return complain(sentence.c_str(), impossibleName ? kUsageFault : kMachineFault);
 }
 
 int run(int argc, char** argv) {
@@ -121,6 +132,16 @@ int main(int argc, char** argv) {
     return complain(e.what(), kUsageFault);
   } catch (const SceneError& e) {
     return complain(e.what(), kUsageFault);
+  } catch (const std::filesystem::filesystem_error& e) {
+    return complainOfFile(e);
+  } catch (const std::system_error& e) {
+    return complain(fmt::format("This machine could not do it: {}.", e.what()).c_str(),
+                    kMachineFault);
+  } catch (const std::bad_alloc&) {
+    return complain(
+        "This takes more memory than there is, or than is allowed (ulimit -v); a smaller picture "
+        "takes less.",
+        kMachineFault);
   } catch (const std::exception& e) {
     return complain(e.what(), kMachineFault);
   }

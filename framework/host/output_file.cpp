@@ -11,13 +11,27 @@
 
 namespace pathmark {
 
-void requirePlaceForFile(std::string_view option, const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file))
+namespace {
+
+// Also of a name that no file can have, or that leads in a circle.
+bool isFolder(std::string_view option, const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::none)
     throw UsageError(
-        fmt::format("{} {}: this is a folder, and a file is needed.", option, file.string()));
+        fmt::format("{} {}: this cannot be used ({}).", option, file.string(), error.message()));
+  return std::filesystem::is_directory(status);
+}
+
+}  // namespace
+
+void requirePlaceForFile(std::string_view option, const std::filesystem::path& file) {
   const std::filesystem::path folder =
       file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder))
+  if (isFolder(option, file))
+    throw UsageError(
+        fmt::format("{} {}: this is a folder, and a file is needed.", option, file.string()));
+  if (!isFolder(option, folder))
     throw UsageError(
         fmt::format("{} {}: there is no folder {}.", option, file.string(), folder.string()));
 }

@@ -113,10 +113,10 @@ fs::path findScene(const std::string& scene) {
                   fmt::join(names, ", "), didYouMean(scene, views)));
 }
 
-SamplerKind findSampler(const std::string& name) {
+SamplerKind findSampler(const std::string& name, std::string_view option) {
   if (const std::optional<SamplerKind> kind = samplerNamed(name)) return *kind;
   throw UsageError(
-      fmt::format("--sampler {}: it is one of {}.", name, fmt::join(kSamplerNames, ", ")));
+      fmt::format("{} {}: it is one of {}.", option, name, fmt::join(kSamplerNames, ", ")));
 }
 
 PathExpression findPaths(const std::string& text) {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pathmark {
@@ -81,8 +82,8 @@ struct RenderOptions {
   double secondsWithoutAnswer = 10.0;
 };
 
-// The sampler of this name; throws UsageError if there is none.
-SamplerKind findSampler(const std::string& name);
+// The sampler of this name, a value of `option`; throws UsageError if there is none.
+SamplerKind findSampler(const std::string& name, std::string_view option = "--sampler");
 
 // The light path expression that --paths says; throws UsageError, with a caret, if it is none.
 PathExpression findPaths(const std::string& text);

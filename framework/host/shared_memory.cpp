@@ -18,16 +18,22 @@ namespace {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
+[[noreturn]] void failToShare() {
+  fail(errno == EFBIG
+           ? "sharing memory with the worker (the limit on files, ulimit -f, holds for it)"
+           : "sharing memory with the worker");
+}
+
 FileDescriptor createMemory(const char* name, std::size_t bytes) {
   FileDescriptor fd(memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  if (fd.get() < 0) fail("shared memory");
-  if (ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0) fail("shared memory");
+  if (fd.get() < 0) failToShare();
+  if (ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0) failToShare();
   return fd;
 }
 
 std::byte* mapMemory(const FileDescriptor& fd, std::size_t bytes) {
   void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, fd.get(), 0);
-  if (memory == MAP_FAILED) fail("shared memory");
+  if (memory == MAP_FAILED) failToShare();
   return static_cast<std::byte*>(memory);
 }
 
@@ -48,7 +54,7 @@ void SealedBlock::append(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = write(fd_.get(), bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) fail("shared memory");
+    if (written <= 0) failToShare();
     bytes = bytes.subspan(static_cast<std::size_t>(written));
     bytes_ += static_cast<std::size_t>(written);
   }

@@ -82,6 +82,7 @@ WorkerProcess::WorkerProcess(Options options) : options_(std::move(options)) {
                                  [&] { return silentFor(started); });
     if (valueOf<Hello>(body).version != kProtocolVersion)
       fail(WorkerFault::kNonsense, "The worker speaks another version of the protocol.");
+    greeted_ = true;
   } catch (...) {
     closeAll();
     throw;
@@ -407,6 +408,12 @@ void WorkerProcess::failDead() {
                             fault == WorkerFault::kMemoryLimit ? "; does an array grow without end?"
                                                                : "."));
   }
+  if (!greeted_)
+    fail(WorkerFault::kEnded,
+         fmt::format("The worker could not start and ended with exit code {}: the system allows "
+                     "too few open files or too little memory (ulimit -n, ulimit -v), or a global "
+                     "variable of the coursework ends it.",
+                     end.exitCode));
   fail(WorkerFault::kEnded,
        fmt::format("The worker ended by itself with exit code {}: coursework functions must "
                    "return, and not call exit().",
@@ -428,7 +435,7 @@ void WorkerProcess::failStalled(int thread) {
     pump(kPollMilliseconds, 0);
   std::string where;
   if (crashRecord_)
-    where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder, true,
+    where = crashPlace(*crashRecord_, options_.program, options_.courseworkFolder,
                        options_.confinement.get());
   if (where.empty()) where = "Somewhere in the coursework";
   fail(WorkerFault::kTimeLimit,

@@ -160,6 +160,7 @@ class WorkerProcess {
 
   Options options_;
   LaunchedWorker process_;
+  bool greeted_ = false;  // it has said that it is ready
   std::uint32_t nextSequence_ = 1;
   std::size_t textBytes_ = 0;
   std::optional<CrashRecord> crashRecord_;

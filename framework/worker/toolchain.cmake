@@ -5,10 +5,10 @@
 # finds it by its place in front of the header itself in the search path.
 string(TOUPPER ${CMAKE_BUILD_TYPE} configuration)
 separate_arguments(build_type_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${configuration}}")
-# Assertions hold in coursework. GCC's guesses about uninitialised variables are often wrong.
+# Assertions hold in coursework.
 list(REMOVE_ITEM build_type_flags -DNDEBUG)
 set(coursework_flags -std=c++20 ${build_type_flags} ${PATHMARK_FLAGS} -Wall -Wextra
-    -Werror=return-type -Wno-maybe-uninitialized)
+    -Werror=return-type)
 get_target_property(glm_include glm::glm INTERFACE_INCLUDE_DIRECTORIES)
 if(glm_include AND NOT glm_include STREQUAL "/usr/include")
   list(APPEND coursework_flags "-I${glm_include}")

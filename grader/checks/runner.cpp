@@ -141,7 +141,8 @@ std::optional<PartResult> checkPart(const CourseworkBuild& build, int number,
   PartResult part{compiled.part, {}, {}, {}};
   if (!progress.goesOn()) return std::nullopt;
   if (!compiled.compiled) {
-    part.failure = "does not compile:" + compiled.messages;
+    part.failure = compiled.problem();
+    if (!compiled.missing) part.failure += ":" + compiled.messages;
     return part;
   }
   const LinkedWorker linked = linkWithStandIns(build, std::array{number});
@@ -178,7 +179,7 @@ std::string blockingPart(const CourseworkResults& results) {
 std::string missing(const CourseworkBuild& build, CheckBench* bench) {
   for (const PartBuild& part : build.parts)
     if (!part.compiled && !part.part.bonus)
-      return fmt::format("part {}, which does not compile", part.part.part);
+      return fmt::format("part {}, which {}", part.part.part, part.problem());
   if (bench == nullptr) return {};
   const StubReport stubs = makeStubReport(bench->worker().stubs());
   for (const FunctionContract& f : stubs.unwritten)

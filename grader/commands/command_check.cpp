@@ -83,6 +83,21 @@ class Screen {
   ProgressBar bar_{"check"};
 };
 
+bool isWrong(const checks::PartResult& part) {
+  return std::any_of(part.functions.begin(), part.functions.end(), [](const auto& function) {
+    return function.status == checks::Status::kFail || function.status == checks::Status::kBroken;
+  });
+}
+
+// The compiler has often seen what the checks have found.
+std::string warningsOfWhatIsWrong(const checks::CourseworkResults& results,
+                                  const CourseworkBuild& build) {
+  std::string text;
+  for (const checks::PartResult& part : results.parts)
+    if (isWrong(part)) text += build.parts.at(placeOfPart(part.part.part)).warnings();
+  return text.empty() ? text : "\nThe compiler warns:" + text;
+}
+
 int checkOnce(CheckSession& session, Screen& screen, const CheckArguments& arguments,
               const std::filesystem::path& folder, const std::function<bool()>& goOn) {
   const report::Style style{showsColour(), arguments.with};
@@ -93,12 +108,13 @@ int checkOnce(CheckSession& session, Screen& screen, const CheckArguments& argum
   events.onProgress = [&](double fraction, const std::string& id) {
     screen.showProgress(fraction, id);
   };
+  const CourseworkBuild build = buildCoursework(folder, Incomplete::kCompileOnly);
   events.onFunctions = [&](const checks::CourseworkResults& results) {
     screen.clear();
-    print(report::headline(results, folder) + report::functionLines(results, style));
+    print(report::headline(results, folder) + report::functionLines(results, style) +
+          warningsOfWhatIsWrong(results, build));
     functionsShown = true;
   };
-  const CourseworkBuild build = buildCoursework(folder, Incomplete::kCompileOnly);
   const checks::CourseworkResults& results = session.run(build, events);
   screen.clear();
   print(report::imageLines(results, style) + report::sceneLines(results, style));

@@ -133,6 +133,24 @@ TEST(CheckCommand, GivesTheSameAnswerForTheSameSeed) {
   EXPECT_EQ(withoutTime(first), withoutTime(check(oneThread)));
 }
 
+TEST(CheckCommand, ShowsEachTimeWhatTheCompilerWarnsOfWhereAFunctionIsWrong) {
+  CourseworkCopy copy;
+  copy.replace(kLambertian, "Kd * kInvPi", "Kd * (1, 0.5f) * kInvPi");
+  for (int run = 0; run < 2; ++run) {
+    const ProcessResult result = check({"3.1", "--with", copy.with()});
+    expectHas(result, "The compiler warns:\n");
+    expectHas(result, "-Wunused-value");
+  }
+}
+
+TEST(CheckCommand, SaysOfAFileThatIsMissingThatItIs) {
+  CourseworkCopy copy;
+  std::filesystem::remove(copy.file(kLambertian));
+  const ProcessResult result = check({"--with", copy.with()});
+  expectHas(result, "part3_lambertian.cpp, which is missing.\n");
+  EXPECT_EQ(result.output.find("does not compile"), std::string::npos) << result.output;
+}
+
 TEST(CheckCommand, ChecksTheOtherPartsWhereOneDoesNotCompile) {
   CourseworkCopy copy;
   copy.replace(kLambertian, "Kd * kInvPi", "Kd * kInvTau");

@@ -23,3 +23,4 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>

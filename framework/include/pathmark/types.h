@@ -1,6 +1,7 @@
 // The words of the coursework: points, directions, colours, rays, and what the samplers return.
 //
-//   Point, Vector, Colour   three floats (GLM); Ray; constants
+//   Point, Vector, Colour   three floats (GLM); Ray; constants. `Colour c;` is not 0, it has no
+//                           value yet: write `Colour c(0.0f);`
 //   LightSample             a point on a light, density per unit area
 //   DirectionSample         a direction, density per unit solid angle
 //   Roulette                whether a path goes on, and with what weight

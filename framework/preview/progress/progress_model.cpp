@@ -18,6 +18,7 @@ std::string failureOf(const PartContract& part, const CourseworkState& coursewor
   const std::size_t place = placeOfPart(part.part);
   if (coursework.build && place < coursework.build->parts.size()) {
     const PartBuild& compiled = coursework.build->parts[place];
+    if (compiled.missing) return std::string(compiled.problem());
     if (!compiled.compiled)
       return fmt::format("does not compile: {}", firstError(compiled.messages));
   }

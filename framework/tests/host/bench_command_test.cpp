@@ -64,9 +64,11 @@ TEST_F(BenchCommand, WrongCommandLinesAreSentencesAndWriteNothing) {
   expectRefuses({"render", "--peer", "mitsuba"}, "cycles is the only one");
   expectRefuses({"render", "--seeds", "1"}, "a whole number from 2");
   expectRefuses({"render", "--with", "no_such_folder"}, "there is no folder");
+  expectRefuses({"lights", "cornel_box"}, "There is no scene cornel_box");
+  expectRefuses({"lights", "my_scene"}, "my_scene is no scene in scenes/");
   expectRefuses({"error", "cornel_box"}, "There is no scene cornel_box");
   expectRefuses({"error", "--estimators", "unifrom"}, "or NAME=FOLDER");
-  expectRefuses({"error", "--samplers", "halton"}, "--sampler halton");
+  expectRefuses({"error", "--samplers", "halton"}, "--samplers halton: it is one of");
   expectRefuses({"error", "--rays", "4,,8"}, "with commas, such as 4,16,64");
   expectRefuses({"error", "--rays", "0"}, "from 1 to");
   expectRefuses({"error", "--replicates", "0"}, "a whole number from 1");

@@ -1,5 +1,6 @@
 // The program's commands, run as programs: what they print, write and return.
 #include "film/image_file.h"
+#include "host/build_config.h"
 #include "support/run_command.h"
 #include "support/test_coursework_files.h"
 
@@ -124,6 +125,29 @@ TEST_F(Command, AFileThatCannotBeWrittenIsExitCodeThree) {
   expectSays(render({"--size", "8x8", "--output", "/proc/a.png"}), 3, "cannot be written");
 }
 
+// What a system may allow less of than a render takes.
+TEST_F(Command, LimitsOfTheSystemAreSentences) {
+  const auto renderWithin = [&](const std::string& limit, const std::string& size) {
+    return run({"sh", "-c",
+                "ulimit " + limit + "\n" + kProgram + " render furnace --with '" +
+                    coursework_.folder().string() + "' --rays-per-pixel 1 --size " + size},
+               folder_.path());
+  };
+  expectSays(render({"--size", "8x8", "--output", "a.pfm"}), 0, "a.pfm");  // it is compiled now
+  expectSays(renderWithin("-n 40", "8x8"), 1, "The worker could not start");
+  expectSays(renderWithin("-f 4", "8x8"), 3, "sharing memory with the worker (the limit on files");
+  // Sanitizers take far more address space.
+  if (!build::kSanitized)
+    expectSays(renderWithin("-v 3000000", "16384x4096"), 3, "This takes more memory than there is");
+}
+
+TEST_F(Command, NamesThatNoFileCanHaveAreSentences) {
+  const std::string longName(300, 'x');
+  expectSays(pathmark({"render", longName}), 2, longName + ": File name too long.");
+  std::filesystem::create_symlink("loop.json", folder_ / "loop.json");
+  expectSays(pathmark({"render", "loop.json"}), 2, "loop.json: Too many levels of symbolic links.");
+}
+
 TEST_F(Command, WarmUpTellsOfSpheresAndListsItsOwnStubsOnly) {
   const ProcessResult result = render({"--size", "8x8", "--warm-up"});
   expectSays(result, 0, "2 spheres are left out, and with them all light");
@@ -208,11 +232,29 @@ TEST_F(Command, StatusPutsMendingBeforeWriting) {
   EXPECT_EQ(result.output.find("Next: write"), std::string::npos);
 }
 
+TEST_F(Command, StatusSaysThatTheMarkerOfAWrittenFunctionIsToBeTakenAway) {
+  coursework_.setFile("part6_roulette.cpp",
+                      "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+                      "  PATHMARK_UNIMPLEMENTED(\"part6_roulette.cpp\", "
+                      "\"LitScene::RussianRoulette\");\n  return {true, 1.0f};\n}");
+  const ProcessResult result = pathmark({"status", "--with", coursework_.folder().string()});
+  expectSays(result, 0, "Next: write LitScene::RussianRoulette");
+  expectSays(result, 0, "Its line PATHMARK_UNIMPLEMENTED(...) is still there: take it away");
+}
+
 TEST_F(Command, StatusOfABrokenFileStillTellsOfTheOthers) {
   coursework_.setTracePath("return colour;");
   const ProcessResult result = pathmark({"status", "--with", coursework_.folder().string()});
   expectSays(result, 1, "does not compile");
   expectSays(result, 1, "7 of 7 written");
+}
+
+TEST_F(Command, StatusSaysOfAFileThatIsMissingThatItIs) {
+  std::filesystem::remove(coursework_.folder() / "part4_phong.cpp");
+  const ProcessResult result = pathmark({"status", "--with", coursework_.folder().string()});
+  expectSays(result, 1, "Next: put the file back: ");
+  expectSays(result, 1, "part4_phong.cpp is missing; a coursework folder");
+  EXPECT_EQ(result.output.find("compile"), std::string::npos) << result.output;
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace pathmark::test {
 namespace {
 
@@ -24,6 +26,28 @@ TEST(CourseworkBuilder, AChangedFileGivesAnotherWorker) {
   const auto first = buildCoursework(coursework.folder()).worker;
   coursework.setTracePath("(void)ray; (void)sampler; return Colour(0.125f);");
   EXPECT_NE(buildCoursework(coursework.folder()).worker, first);
+}
+
+TEST(CourseworkBuilder, AWarningIsSaidUntilItsCauseIsMended) {
+  TestCoursework coursework;
+  coursework.setTracePath(
+      "(void)ray;\nfloat x = sampler.next1D();\nif (x = 0) x = 1;\nreturn Colour(x);");
+  for (int build = 0; build < 2; ++build) {
+    const PartBuild part = compilePart(coursework.folder(), 5);
+    ASSERT_TRUE(part.compiled) << part.messages;
+    EXPECT_NE(part.warnings().find("part5_path.cpp:6:"), std::string_view::npos) << part.messages;
+    EXPECT_NE(part.warnings().find("-Wparentheses"), std::string_view::npos) << part.messages;
+  }
+  coursework.setTracePath("(void)ray; return Colour(sampler.next1D());");
+  EXPECT_EQ(compilePart(coursework.folder(), 5).messages, "");
+}
+
+TEST(CourseworkBuilder, AVariableWithoutAValueIsAWarning) {
+  TestCoursework coursework;
+  coursework.setTracePath(
+      "float best;\nif (sampler.next1D() < 0.5f) best = ray.direction.x;\nreturn Colour(best);");
+  EXPECT_NE(compilePart(coursework.folder(), 5).warnings().find("uninitialized"),
+            std::string_view::npos);
 }
 
 TEST(CourseworkBuilder, AnErrorNamesFileAndLineAndGivesNoWorker) {
@@ -75,8 +99,18 @@ TEST(CourseworkBuilder, AMissingFileIsNamed) {
   std::filesystem::remove(coursework.folder() / "part4_phong.cpp");
   const CourseworkBuild build = buildCoursework(coursework.folder());
   EXPECT_TRUE(build.worker.empty());
-  EXPECT_NE(build.failure().find("part4_phong.cpp"), std::string::npos);
-  EXPECT_NE(build.failure().find("is missing"), std::string::npos);
+  EXPECT_NE(build.failure().find("part4_phong.cpp is missing;"), std::string::npos)
+      << build.failure();
+  EXPECT_EQ(build.failure().find("compile"), std::string::npos) << build.failure();
+}
+
+TEST(CourseworkBuilder, AMissingFileIsNamedBesideTheFilesOfAnotherCoursework) {
+  TestCoursework coursework, others;
+  std::filesystem::remove(coursework.folder() / "part4_phong.cpp");
+  const LinkedWorker linked =
+      linkWithOthers(buildCoursework(coursework.folder(), Incomplete::kCompileOnly), std::array{4},
+                     buildCoursework(others.folder(), Incomplete::kCompileOnly));
+  EXPECT_TRUE(linked.failure.ends_with("part4_phong.cpp is missing.")) << linked.failure;
 }
 
 TEST(CourseworkBuilder, AFunctionThatIsNotThereIsNamed) {

@@ -401,6 +401,12 @@ TEST_F(LongRender, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork) {
   says("/proc/a.pfm", 3, "/proc/a.pfm cannot be written: ");
   says("no/a.pfm", 2, "there is no folder no");
   says("folder.pfm", 2, "this is a folder");
+  const std::string longest(243, 'x');
+  says(longest + ".pfm", 2, longest + ".pfm.checkpoint: the picture's checkpoint cannot be there");
+  says(std::string(300, 'x') + ".pfm", 2, "this cannot be used (File name too long).");
+  fs::create_symlink("loop.pfm", folder_ / "loop.pfm");
+  says("loop.pfm", 2, "--output loop.pfm: this cannot be used (Too many levels");
+  fs::remove(folder_ / "loop.pfm");
   if (geteuid() != 0) says("locked/a.pfm", 3, "locked/a.pfm cannot be written: Permission denied");
   EXPECT_EQ(files(), (std::set<std::string>{"folder.pfm", "locked", "reference.pfm"}));
 }

@@ -73,6 +73,22 @@ TEST(WorkerFault, SegmentationFaultNamesFunctionFileAndLine) {
   expectContains(failure.sentence, "SIGSEGV");
 }
 
+TEST(WorkerFault, ACrashNamesItsCallersAndTheFilesOfThoseInOthers) {
+  TestCoursework coursework;
+  coursework.write("part5_path.cpp",
+                   "#include <pathmark/coursework.h>\nnamespace pathmark {\n"
+                   "[[gnu::noinline]] static float helper(float x) {\n"
+                   "  *(volatile float*)16 = x;\n  return x + 1.0f;\n}\n"
+                   "Colour LitScene::tracePath(const Ray&, Sampler& sampler) const {\n"
+                   "  return Colour(helper(sampler.next1D()) + 1.0f);\n}\n}\n");
+  const std::string sentence = failureOf(coursework).sentence;
+  expectContains(sentence,
+                 "part5_path.cpp:4, in helper, called from LitScene::tracePath (line 8), "
+                 "called from LitScene::renderPixel (");
+  expectContains(sentence, "part1_stratified.cpp, line ");
+  expectContains(sentence, "): a segmentation fault (SIGSEGV)");
+}
+
 TEST(WorkerFault, EndlessLoopIsStoppedAndNamesItsLine) {
   TestCoursework coursework;
   coursework.setFile("part6_roulette.cpp",
@@ -104,7 +120,8 @@ TEST(WorkerFault, StackOverflowIsNamed) {
       "return tracePath(ray, sampler) + big[7];");
   const Failure failure = failureOf(coursework);
   EXPECT_EQ(failure.fault, WorkerFault::kCrashed);
-  expectContains(failure.sentence, "in LitScene::tracePath: stack overflow");
+  expectContains(failure.sentence, "in LitScene::tracePath");
+  expectContains(failure.sentence, ": stack overflow");
 }
 
 TEST(WorkerFault, ExceptionIsReportedWithWhatItSays) {
@@ -129,7 +146,8 @@ TEST(WorkerFault, ExitIsNamed) {
   TestCoursework coursework;
   coursework.setTracePath("(void)ray; (void)sampler;\nstd::exit(0);");
   const Failure failure = failureOf(coursework);
-  expectContains(failure.sentence, "part5_path.cpp:5, in LitScene::tracePath: exit() was called");
+  expectContains(failure.sentence, "part5_path.cpp:5, in LitScene::tracePath");
+  expectContains(failure.sentence, ": exit() was called");
 }
 
 TEST(WorkerFault, ExitInManyThreadsAtOnceIsNamed) {
@@ -141,7 +159,8 @@ TEST(WorkerFault, ExitInManyThreadsAtOnceIsNamed) {
       renderWith(*worker);
       FAIL() << "nothing was reported";
     } catch (const WorkerError& e) {
-      expectContains(e.what(), "part5_path.cpp:5, in LitScene::tracePath: exit() was called");
+      expectContains(e.what(), "part5_path.cpp:5, in LitScene::tracePath");
+      expectContains(e.what(), ": exit() was called");
     }
   }
 }
@@ -189,7 +208,8 @@ TEST(WorkerFault, MemoryThatIsTakenBitByBitEndsInASentence) {
   limits.memoryBytes = std::size_t{512} << 20;
   const Failure failure = failureOf(coursework, limits);
   EXPECT_EQ(failure.fault, WorkerFault::kMemoryLimit);
-  expectContains(failure.sentence, "part5_path.cpp:7, in LitScene::tracePath: memory ran out");
+  expectContains(failure.sentence, "part5_path.cpp:7, in LitScene::tracePath");
+  expectContains(failure.sentence, ": memory ran out");
   expectContains(failure.sentence, "allowed are 512 MiB");
 }
 

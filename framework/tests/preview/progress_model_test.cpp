@@ -107,6 +107,16 @@ TEST(ProgressModel, WhatIsAStubAgainIsNotCalledRightByAnOlderCheck) {
   EXPECT_EQ(rowOf(progress, F::kTracePath).outcome, Outcome::kNotWritten);
 }
 
+TEST(ProgressModel, APartWhoseFileIsMissingSaysThatItIs) {
+  CourseworkBuild build = compiledBuild();
+  build.parts[3].compiled = false;
+  build.parts[3].missing = true;
+  build.parts[3].messages = " it is missing.";
+  const Progress progress = progressOf(stateOf(std::move(build), 2), nullptr);
+  EXPECT_EQ(progress.parts[3].failure, "is missing");
+  EXPECT_EQ(progress.next, "mend student/part3_lambertian.cpp, which is missing.");
+}
+
 TEST(ProgressModel, APartThatDoesNotCompileSaysWhereAndHasNoOutcomes) {
   CourseworkBuild build = compiledBuild();
   build.parts[3].compiled = false;
