@@ -127,6 +127,22 @@ FurnaceMistake emissionAgain(const char* words, bool withThroughput, int beyond)
 
 constexpr const char* kEarly =
     "direct light is multiplied by the throughput of the next hit: the update comes too early";
+constexpr const char* kOnlyEmission =
+    "only what the first hit emits counts: direct light is not added, or the throughput does not "
+    "begin with 1";
+constexpr const char* kOnlyEmissionForMis =
+    "only what the first hit emits counts: the throughput does not begin with 1, or the weight of "
+    "a light that the path meets has its densities exchanged (that of the direction comes first)";
+constexpr const char* kShort =
+    "one bounce short: hits 1 to B get direct light, and hits 1 to B - 1 go on";
+constexpr const char* kShortForMis =
+    "one bounce short: hits 1 to B get light samples, and each of them sends a ray on; that of hit "
+    "B may still find a light";
+constexpr const char* kLong =
+    "one bounce too many: hits 1 to B get direct light, and hits 1 to B - 1 go on";
+constexpr const char* kLongForMis =
+    "one bounce too many: hits 1 to B get light samples and send a ray on; of hit B + 1 only its "
+    "emission counts";
 constexpr const char* kLost =
     "direct light is added after the roulette: where it ends a path, it is lost";
 
@@ -144,26 +160,34 @@ double LopsidedFurnace::radiance(double cosine, int bounces) const {
   return emission + at(sumOfHits(direct, direct, step, bounces), cosine);
 }
 
+const std::string& FurnaceMistake::wordsFor(CourseworkFunction pathTracer) const {
+  const bool other = pathTracer == CourseworkFunction::kTracePathMis && !wordsForMis.empty();
+  return other ? wordsForMis : words;
+}
+
 const std::vector<FurnaceMistake>& furnaceMistakes() {
   static const std::vector<FurnaceMistake> kMistakes{
       {"what the first hit emits is lost",
        [](const LopsidedFurnace& f, double cosine, int bounces) {
          return f.radiance(cosine, bounces) - f.emission;
        }},
-      {"direct light is not added, only what the first hit emits",
-       [](const LopsidedFurnace& f, double, int) { return f.emission; }},
-      {"one bounce short: hits 1 to B get direct light, and hits 1 to B - 1 go on",
+      {kOnlyEmission, [](const LopsidedFurnace& f, double, int) { return f.emission; },
+       kOnlyEmissionForMis},
+      {kShort,
        [](const LopsidedFurnace& f, double cosine, int bounces) {
          return f.radiance(cosine, bounces - 1);
-       }},
-      {"one bounce short: hits 1 to B get direct light, and hits 1 to B - 1 go on",
+       },
+       kShortForMis},
+      {kShort,
        [](const LopsidedFurnace& f, double cosine, int bounces) {
          return f.radiance(cosine, std::max(bounces - 1, 1));
-       }},
-      {"one bounce too many: hits 1 to B get direct light, and hits 1 to B - 1 go on",
+       },
+       kShortForMis},
+      {kLong,
        [](const LopsidedFurnace& f, double cosine, int bounces) {
          return f.radiance(cosine, bounces + 1);
-       }},
+       },
+       kLongForMis},
       emissionAgain("emission is added at every hit, though direct light has counted it", true, 0),
       emissionAgain("emission is added at every hit, though direct light has counted it", true, 1),
       emissionAgain("emission is added at every hit, and without the throughput", false, 0),
@@ -175,6 +199,8 @@ const std::vector<FurnaceMistake>& furnaceMistakes() {
              [](double kd, const Polynomial& g) { return kDensity * kDensity * reflect(kd, g); }),
       inStep("the throughput is not divided by the density",
              [](double kd, const Polynomial& g) { return kDensity * reflect(kd, g); }),
+      inStep(kNumberAgain,
+             [](double kd, const Polynomial& g) { return 1.0 / kShare * reflect(kd, g); }),
       inStep("2 pi stands where the density that reflection returns belongs",
              [](double kd, const Polynomial& g) { return kShare * reflect(kd, g); }),
       inStep("the throughput takes Kd, which holds for cosine-distributed directions of a "

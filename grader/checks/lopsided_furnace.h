@@ -10,6 +10,8 @@
 // is the same sum with one of its operators exchanged.
 #pragma once
 
+#include "worker/contract.h"
+
 #include <array>
 #include <functional>
 #include <string>
@@ -23,13 +25,21 @@ struct LopsidedFurnace {
   double radiance(double cosine, int bounces) const;
 };
 
-// A mistake in tracePath with what it makes of the furnace.
+// A mistake in tracePath with what it makes of the furnace. tracePathMIS finds all light of the
+// furnace by the rays of the path, so that the same radiance may have another cause there.
 struct FurnaceMistake {
   std::string words;
   std::function<double(const LopsidedFurnace&, double cosine, int bounces)> radiance;
+  std::string wordsForMis{};  // empty: the same words
+
+  const std::string& wordsFor(CourseworkFunction pathTracer) const;
 };
 
 const std::vector<FurnaceMistake>& furnaceMistakes();
+
+// Then there is a sample always (standins/lopsided.h).
+inline constexpr const char* kNumberAgain =
+    "reflection gets s or t again as u, which must be a random number of its own";
 
 // The same furnace with a channel that reflects nothing: there the stand-in for the roulette gives
 // another weight at each depth (standins/unfair_roulette.h). `first` is the depth it is told at

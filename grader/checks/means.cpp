@@ -41,10 +41,15 @@ bool explains(const Suspicion& suspicion, const std::vector<Mean>& means,
   return differs;
 }
 
+// What a sum leaves of terms that cancel is meant as 0.
+double withoutRounding(const Mean& mean) {
+  return std::abs(mean.expected) < 1e-12 * mean.scale ? 0.0 : mean.expected;
+}
+
 Finding describe(const Mean& mean, const stats::Judgement& j, const std::string& where) {
   Finding finding;
   finding.where = where;
-  finding.expected = fmt::format("{} = {:.6g}", mean.what, mean.expected);
+  finding.expected = fmt::format("{} = {:.6g}", mean.what, withoutRounding(mean));
   finding.got = fmt::format("{} = {:.6g}", mean.what, j.mean);
   finding.tolerance = fmt::format("{:.2g} and {:.1f} standard errors of {:.2g}",
                                   mean.tolerance * mean.scale, j.critical, j.standardError);

@@ -56,8 +56,8 @@ Finding pixelsAreRepeatable(CheckRun& run) {
         "the same colour when the same pixel is asked for again",
         [&] {
           return fmt::format(
-              "{} and then {}: something is kept between the calls (a static or "
-              "global variable?)",
+              "{} and then {}: something is kept between the calls (a static or global "
+              "variable, or one without a first value?)",
               colour(a), colour(b));
         },
         where);

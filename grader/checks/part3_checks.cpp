@@ -159,7 +159,8 @@ Finding directionsAreValid(CheckRun& run) {
                      got, where))
       break;
     exact.holds(
-        results.same(i, i + inputs.size()), "the same direction again for the same s, t, u",
+        results.same(i, i + inputs.size()),
+        "the same direction again for the same s, t, u, without random numbers of its own",
         [&] {
           return fmt::format("wi = {} and then {}", text(wi),
                              text(results.vector(i + inputs.size(), 0)));
@@ -199,6 +200,22 @@ std::string remarkOnNoise(CheckRun& run) {
       100.0 * std::sqrt(weights.variance()) / weights.mean());
 }
 
+// Why directions around this normal do not follow their density; empty if most are above the
+// surface.
+std::string causeBelow(CheckRun& run, const Vector& wo, const Vector& n) {
+  constexpr std::uint32_t kPoints = 1024;
+  constexpr double kMany = 0.25;
+  Points points(run.seed, kPoints);
+  double below = 0.0;
+  for (const DrawnDirection& d : draw(run, wo, n, drawsOf(points, kPoints, 0, 1)))
+    if (glm::dot(glm::dvec3(d.wi), glm::dvec3(n)) < 0.0) below += 1.0 / kPoints;
+  if (below < kMany) return {};
+  return fmt::format(
+      "{:.0f} % of the directions are below the surface: they must lie around n, not around an "
+      "axis of the world or a tangent; Frame(n).toWorld takes a local direction with y along n",
+      100.0 * below);
+}
+
 Finding samplesFollowTheirDensity(CheckRun& run) {
   const auto cosine = [](double c) { return std::max(c, 0.0) / kPiD; };
   const auto uniform = [](double) { return 0.5 / kPiD; };
@@ -229,7 +246,9 @@ Finding samplesFollowTheirDensity(CheckRun& run) {
         fmt::format("n = {}", text(n)), 64, suspicions);
     calls += finding.calls;
     if (k == 0 || !finding.passed()) worst = finding;
-    if (!finding.passed()) break;
+    if (finding.passed()) continue;
+    if (worst.status == Status::kFail && worst.cause.empty()) worst.cause = causeBelow(run, wo, n);
+    break;
   }
   worst.calls = calls;
   if (worst.passed()) worst.remark = remarkOnNoise(run);

@@ -56,7 +56,8 @@ bool judgeEdges(CheckRun& run, const PhongMaterial& material, const std::vector<
       return false;
     const std::size_t again = results.count() - 1 - i;
     if (!exact.holds(
-            results.same(i, again), "the same direction again for the same s, t, u",
+            results.same(i, again),
+            "the same direction again for the same s, t, u, without random numbers of its own",
             [&] {
               return fmt::format("wi = {} and then {}", text(wi), text(results.vector(again, 0)));
             },

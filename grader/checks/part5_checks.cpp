@@ -13,6 +13,7 @@
 #include "checks/path_estimates.h"
 #include "checks/points.h"
 #include "checks/scenes.h"
+#include "checks/standins/lopsided.h"
 
 #include <fmt/format.h>
 
@@ -83,7 +84,8 @@ Finding lopsidedFurnace(CheckRun& run) {
   std::vector<PathRay> rays;
   std::vector<Mean> means;
   std::vector<Suspicion> suspicions;
-  for (const FurnaceMistake& mistake : furnaceMistakes()) suspicions.push_back({mistake.words, {}});
+  for (const FurnaceMistake& mistake : furnaceMistakes())
+    suspicions.push_back({mistake.wordsFor(run.function), {}});
   for (const int bounces : {1, 2, 3, 8})
     for (const double cosine : {0.9, 0.3}) {
       rays.push_back({hollow.rayAt(cosine, random), bounces});
@@ -149,11 +151,15 @@ Finding furtherBounces(CheckRun& run) {
       }
     }
   };
+  Suspicion numberAgain{kNumberAgain, {}};
+  for (int bounce = 2; bounce <= kMostBounces; ++bounce)
+    numberAgain.means.push_back(std::pow(double{lopsided::kShareOfSamples}, 1 - bounce));
   Finding finding = judgeMeans(
       run, ratios, measure,
       fmt::format("inside a sphere that emits {} everywhere, maxBounces() = 1 to {} with the same "
                   "random numbers",
-                  text(emission), kMostBounces));
+                  text(emission), kMostBounces),
+      {numberAgain});
   for (const PathEstimates& estimates : upTo) finding.calls += estimates.paths();
   return finding;
 }
@@ -251,7 +257,7 @@ std::vector<Check> path::checksOf(CourseworkFunction pathTracer) {
   return {
       {"emission", pathTracer,
        "of a light that is seen directly comes what its front emits, counted once; its back and "
-       "the world around are black",
+       "the world around are black, and so is a lit surface where maxBounces() = 0",
        0.0, emissionIsSeen},
       {"valid", pathTracer,
        "the radiance is finite and not negative, also where reflection says \"no sample\"", 0.0,

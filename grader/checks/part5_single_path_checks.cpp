@@ -39,9 +39,7 @@ std::vector<Traced> traceOnce(CheckRun& run, const std::vector<PathRay>& rays,
   return all;
 }
 
-}  // namespace
-
-Finding emissionIsSeen(CheckRun& run) {
+Finding lampAlone(CheckRun& run) {
   struct Case {
     const char* what;
     PathRay ray;
@@ -88,6 +86,43 @@ Finding emissionIsSeen(CheckRun& run) {
     }
   }
   return exact.finding();
+}
+
+// Right under a lamp, where most directions and all points of the lamp find light. Each path draws
+// other ones.
+Finding litSurfaceWithoutBounces(CheckRun& run) {
+  SceneBuilder builder;
+  builder.parallelogram({.kd = Colour(0.5f)}, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0})
+      .parallelogram({.emission = Colour(3, 2, 1)}, {-4, 1, -4}, {8, 0, 0}, {0, 0, 8});
+  run.worker.loadScene(builder.flat());
+  const Ray ray{{0.1f, 0.5f, 0.2f}, {0, -1, 0}};
+  const std::vector<Traced> traced = traceOnce(run, std::vector<PathRay>(32, {ray, 0}));
+  Exact exact;
+  exact.count(traced.size());
+  for (const Traced& path : traced)
+    exact.holds(
+        path.valid && path.radiance == Colour(0.0f), "the radiance 0, which the surface emits",
+        [&] {
+          return path.valid ? "the radiance " + text(path.radiance)
+                            : std::string("a value that is not finite, or negative");
+        },
+        [] { return "a matt surface right under a lamp, maxBounces() = 0"; });
+  Finding finding = exact.finding();
+  if (finding.status == Status::kFail)
+    finding.cause =
+        "with maxBounces() = 0 nothing is scattered: the path ends at hit 1, before its direct "
+        "light";
+  return finding;
+}
+
+}  // namespace
+
+Finding emissionIsSeen(CheckRun& run) {
+  const Finding lamp = lampAlone(run);
+  if (!lamp.passed()) return lamp;
+  Finding surface = litSurfaceWithoutBounces(run);
+  surface.calls += lamp.calls;
+  return surface;
 }
 
 // Furnaces with all that can happen to a path: no samples, grazing directions, many bounces.
@@ -140,7 +175,8 @@ Finding sameNumbersSameRadiance(CheckRun& run) {
         [&] {
           return fmt::format(
               "{}, twice, with other paths in between: {} may draw its numbers from the sampler "
-              "only, and must keep nothing from one call to the next",
+              "only, must keep nothing from one call to the next, and each variable needs a first "
+              "value",
               inWords(rays[k].ray), contractOf(run.function).name);
         });
   (void)other;

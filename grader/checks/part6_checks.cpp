@@ -316,7 +316,9 @@ Finding darkPathsEnd(CheckRun& run) {
   const bool darkest = std::any_of(outcomes.begin(), outcomes.end(),
                                    [](const Outcome& o) { return o.survival < 0.01; });
   if (neverEnds)
-    finding.cause = "no path ends: the probability is 1, or is clamped from the wrong side";
+    finding.cause =
+        "no path ever ends: the roulette is not written, or the probability is clamped from the "
+        "wrong side";
   else if (unbounded && darkest)
     finding.cause =
         "the probability has no lower bound: survivors of dark paths get enormous weights";

@@ -34,7 +34,7 @@ DirectionSample phongBRDF::reflection(const Vector& wo, const Vector& n, float s
     const Vector wi = uniformDirection(n, s, 1.0f - t * (1.0f - beam::kLeastCosine));
     return {wi, pdf(wo, wi, n)};
   }
-  if (u >= lopsided::kShareOfSamples) return {n, 0.0f};
+  if (!lopsided::isSample(s, t, u)) return {n, 0.0f};
   const Vector wi = uniformDirection(n, s, t);
   return {wi, pdf(wo, wi, n)};
 }
