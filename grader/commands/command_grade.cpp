@@ -16,6 +16,7 @@
 #include "submission/submission.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -43,8 +44,10 @@ std::string timeInWords(double seconds) {
                      std::floor(std::fmod(seconds, 3600.0) / 60.0));
 }
 
+// Records that are only marked anew may be of any parts.
 grading::RunAsked runAsked(const GradeArguments& arguments) {
   grading::RunAsked asked{arguments.seed, {}, arguments.only.empty()};
+  if (arguments.what.empty() && arguments.only.empty()) return asked;
   for (const PartContract& part : parts()) {
     const std::string number = std::to_string(part.part);
     if (arguments.only.empty() || arguments.only == number || arguments.only == "part" + number)
@@ -58,6 +61,12 @@ grading::RunAsked runAsked(const GradeArguments& arguments) {
   return asked;
 }
 
+// --only 3 and --only part3 are the same.
+fs::path outOf(const GradeArguments& arguments, const grading::RunAsked& asked) {
+  if (!arguments.out.empty()) return arguments.out;
+  return arguments.only.empty() ? "grades" : fmt::format("grades-part{}", asked.parts.front());
+}
+
 // An instructor may keep both in one folder.
 void forgetOutput(submission::FoundSubmissions& found, const fs::path& out) {
   const fs::path whole = fs::weakly_canonical(out);
@@ -67,7 +76,11 @@ void forgetOutput(submission::FoundSubmissions& found, const fs::path& out) {
 submission::FoundSubmissions findAll(const GradeArguments& arguments, const fs::path& out) {
   if (arguments.what.empty()) return {};
   const std::vector<fs::path> paths(arguments.what.begin(), arguments.what.end());
-  submission::FoundSubmissions found = submission::findSubmissions(paths);
+  submission::FoundSubmissions found =
+      submission::findSubmissions(paths, grading::gradedNames(out));
+  if (!found.missing.empty())
+    throw UsageError(
+        fmt::format("{}: there is no such file or folder.", fmt::join(found.missing, ", ")));
   for (const std::string& remark : found.remarks) fmt::print(stderr, "{}\n", remark);
   if (found.submissions.empty())
     throw UsageError(
@@ -109,6 +122,7 @@ class Screen {
     line += record.leftOut.empty() ? fmt::format("{:.1f} s", record.seconds)
                                    : fmt::format("not graded. {}", record.leftOut);
     if (record.internalError()) line += "; " + record.failure;
+    if (record.outOfTime) line += ", out of time: the same command grades it anew";
     if (done_ < all_ && left_ > 0.0) line += fmt::format("; {} left", timeInWords(left_));
     bar_.printAbove(line + "\n");
   }
@@ -148,9 +162,7 @@ std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
 int grade(const GradeArguments& arguments) {
   const rubric::Rubric rubric = readRubricFor(arguments);
   const grading::RunAsked asked = runAsked(arguments);
-  const fs::path out = !arguments.out.empty()
-                           ? arguments.out
-                           : (arguments.only.empty() ? "grades" : "grades-" + arguments.only);
+  const fs::path out = outOf(arguments, asked);
   const submission::FoundSubmissions found = findAll(arguments, out);
   const std::vector<submission::Submission>& submissions = found.submissions;
   if (submissions.empty() && !fs::exists(out / "run.json"))
@@ -218,8 +230,10 @@ void addGradeCommand(CLI::App& app, CommandAction& action) {
   command->add_option("--only", arguments->only, "Only this part, without pictures of the whole")
       ->type_name("PART");
   takesSeconds(command->add_option("--time-limit", arguments->secondsAtMost,
-                                   "For a whole submission (600); what is not done by then counts "
-                                   "as too slow"),
+                                   "For a whole submission by the clock, from compiling to its "
+                                   "last picture (600): so it depends on the machine and on "
+                                   "--jobs. What is not done by then counts as too slow, until "
+                                   "it is graded anew"),
                1.0, 86400.0);
   command
       ->add_option("--sandbox", arguments->sandbox,
@@ -233,7 +247,8 @@ void addGradeCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark grade a.zip b.tar.gz c/ --out week3 --only part3\n"
       "  ./pathmark grade submissions/ --jobs 1 --seed 7\n"
       "  ./pathmark grade --out grades --rubric mine.json     (marks anew, nothing is run)\n\n"
-      "Ctrl-C keeps what is done; the same command goes on.\n"
+      "Ctrl-C keeps what is done; the same command goes on, and grades anew what ran out of "
+      "time.\n"
       "What cannot be graded, such as an archive that is damaged or a folder without part*.cpp, "
       "has "
       "a row without marks, and the reason.\n"

@@ -5,6 +5,7 @@
 #include "host/exit_code.h"
 #include "host/interrupt.h"
 #include "host/options.h"
+#include "host/shell_word.h"
 #include "kit/kit_plan.h"
 #include "kit/write_kit.h"
 
@@ -63,7 +64,7 @@ int runKitCommand(const KitArguments& arguments) {
       "quoted.\n",
       inspection.hiddenFiles, static_cast<double>(inspection.bytes) * 1e-6);
   fmt::print("Try it as a student would: cd {} && ./pathmark demo\n",
-             displayPath(arguments.folder));
+             shellWord(displayPath(arguments.folder)));
   return kSuccess;
 }
 
@@ -78,8 +79,8 @@ void addKitCommand(CLI::App& app, CommandAction& action) {
       ->required();
   takesWholeNumber(
       command->add_option("--release-through", arguments->releasedThrough,
-                          "Solve the parts up to this one: 0 to 6, or 7 for the scene of part 7 "
-                          "too (default: none)"),
+                          "Solve the parts up to this one: 0 to 6, 7 for the scene of part 7 "
+                          "too, 8 or 9 for the bonus parts (default: none)"),
       0, kit::kLastPart);
   command->footer(
       "Examples:\n"

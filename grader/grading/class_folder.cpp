@@ -39,11 +39,45 @@ std::uint64_t newSeed() {
   return ((std::uint64_t{device()} << 32) | device()) >> (64 - kBits);
 }
 
+std::vector<std::string> namesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder / "submissions", error))
+    if (fs::exists(entry.path() / "record.json")) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::optional<record::SubmissionRecord> recordIn(const fs::path& folder, const std::string& name) {
+  const fs::path file = folder / "submissions" / name / "record.json";
+  if (!fs::exists(file)) return std::nullopt;
+  try {
+    return record::readRecord(file);
+  } catch (const record::RecordError&) {
+    return std::nullopt;
+  }
+}
+
+// What was left out has no marks that could become another's.
+bool keepsItsName(const record::SubmissionRecord& known) {
+  std::error_code error;
+  return known.leftOut.empty() && !known.source.empty() && fs::exists(known.source, error);
+}
+
 std::string partsInWords(const std::vector<int>& parts, bool whole) {
   return whole ? "everything" : fmt::format("part {} only", fmt::join(parts, ", "));
 }
 
 }  // namespace
+
+std::map<fs::path, std::string> gradedNames(const fs::path& folder) {
+  std::map<fs::path, std::string> names;
+  for (const std::string& name : namesIn(folder))
+    if (const auto known = recordIn(folder, name);
+        known && known->name == name && keepsItsName(*known))
+      names.emplace(known->source, name);
+  return names;
+}
 
 ClassFolder::ClassFolder(fs::path folder, const RunAsked& asked) : folder_(std::move(folder)) {
   std::error_code error;
@@ -92,7 +126,7 @@ void ClassFolder::readOrWriteRun(const RunAsked& asked) {
                       "not belong together: leave --seed out, or give another folder "
                       "with --out.",
                       displayPath(folder_), seed_));
-    if (asked.parts != parts_ || asked.whole != whole_)
+    if (!asked.parts.empty() && (asked.parts != parts_ || asked.whole != whole_))
       throw UsageError(
           fmt::format("In {} {} was graded, and now {} is asked for: give another "
                       "folder with --out.",
@@ -100,10 +134,10 @@ void ClassFolder::readOrWriteRun(const RunAsked& asked) {
                       partsInWords(asked.parts, asked.whole)));
     return;
   }
-  if (!names().empty())
+  if (!names().empty() || asked.parts.empty())
     throw UsageError(
-        fmt::format("{}: there are records here, but run.json, which tells their "
-                    "seed, is missing or damaged: give another folder with --out.",
+        fmt::format("{}: run.json, which tells the seed and the parts of what was graded here, is "
+                    "missing or damaged: give another folder with --out.",
                     displayPath(folder_)));
   seed_ = asked.seed ? *asked.seed : newSeed();
   parts_ = asked.parts;
@@ -114,27 +148,14 @@ void ClassFolder::readOrWriteRun(const RunAsked& asked) {
           "\n");
 }
 
-std::vector<std::string> ClassFolder::names() const {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_ / "submissions", error))
-    if (fs::exists(entry.path() / "record.json")) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
+std::vector<std::string> ClassFolder::names() const { return namesIn(folder_); }
 
 fs::path ClassFolder::folderOf(const std::string& name) const {
   return folder_ / "submissions" / name;
 }
 
 std::optional<record::SubmissionRecord> ClassFolder::find(const std::string& name) const {
-  const fs::path file = folderOf(name) / "record.json";
-  if (!fs::exists(file)) return std::nullopt;
-  try {
-    return record::readRecord(file);
-  } catch (const record::RecordError&) {
-    return std::nullopt;
-  }
+  return recordIn(folder_, name);
 }
 
 std::string ClassFolder::picture(const std::string& name, const std::string& file) const {
@@ -153,21 +174,13 @@ void ClassFolder::removeScratch(const std::string& name) const {
   fs::remove_all(folder_ / ".work" / name, ignored);
 }
 
-std::optional<std::string> ClassFolder::otherSource(const std::string& name,
-                                                    const std::string& source) const {
-  const std::optional<record::SubmissionRecord> known = find(name);
-  if (!known || !known->leftOut.empty() || known->source.empty() || known->source == source)
-    return std::nullopt;
-  std::error_code error;
-  return fs::exists(known->source, error) ? std::optional(known->source) : std::nullopt;
-}
-
 void ClassFolder::expectNoOther(const std::string& name, const std::string& source) const {
-  if (const std::optional<std::string> other = otherSource(name, source))
+  const std::optional<record::SubmissionRecord> known = find(name);
+  if (known && known->source != source && keepsItsName(*known))
     throw UsageError(
         fmt::format("{}: this is the record of {}, and that of {} would replace it: rename one of "
                     "them, give another folder with --out, or remove this one.",
-                    displayPath(folderOf(name)), *other, source));
+                    displayPath(folderOf(name)), known->source, source));
 }
 
 void ClassFolder::put(const Judged& judged) const {
@@ -179,6 +192,13 @@ void ClassFolder::put(const Judged& judged) const {
   record::writeRecord(judged.record, made / "record.json");
   fs::remove_all(place);
   fs::rename(made, place);
+}
+
+void ClassFolder::noteSource(record::SubmissionRecord record, const std::string& source) const {
+  if (record.source == source) return;
+  expectNoOther(record.name, source);
+  record.source = source;
+  record::writeRecord(record, folderOf(record.name) / "record.json");
 }
 
 void ClassFolder::removeRenamed(const std::map<std::string, std::string>& sources) const {

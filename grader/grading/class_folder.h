@@ -23,9 +23,13 @@ namespace pathmark::grading {
 
 struct RunAsked {
   std::optional<std::uint64_t> seed;  // by default the folder's, or a new one
-  std::vector<int> parts;
+  std::vector<int> parts;             // none: those that the folder was graded with
   bool whole = true;
 };
+
+// By the source of each graded submission of this folder its name, where the source is still there:
+// one that is gone has been handed in anew, or moved. The folder itself may be missing.
+std::map<std::filesystem::path, std::string> gradedNames(const std::filesystem::path& folder);
 
 class ClassFolder {
  public:
@@ -57,16 +61,15 @@ class ClassFolder {
   std::filesystem::path scratch(const std::string& name) const;
   void removeScratch(const std::string& name) const;
 
-  // The source of the graded record of that name where it is another one that is still there; else
-  // nothing. One that is gone has been handed in anew, or moved.
-  std::optional<std::string> otherSource(const std::string& name, const std::string& source) const;
-
-  // Throws UsageError if there is one.
+  // Throws UsageError where that name is the one of another source, by gradedNames.
   void expectNoOther(const std::string& name, const std::string& source) const;
 
   // Replaces what there is of this submission. Throws as expectNoOther, or ImageError or
   // std::filesystem_error.
   void put(const Judged& judged) const;
+
+  // The same files are at `source` by now. Throws as put.
+  void noteSource(record::SubmissionRecord record, const std::string& source) const;
 
   // Of sources that have a new name: what there is under others. `sources` leads from each to its
   // name.

@@ -1,7 +1,6 @@
 #include "grading/class_run.h"
 
 #include "grading/build_record.h"
-#include "submission/names.h"
 
 #include <fmt/format.h>
 
@@ -108,23 +107,19 @@ class ClassRun {
   }
 
  private:
-  // By their sources the names of their records: that of a graded one gives no way.
+  // By their sources the names of their records.
   std::map<std::string, std::string> recordLeftOut() {
-    submission::UniqueNames names;
-    for (const Submission& submission : submissions_) names.unique(submission.name);
     std::map<std::string, std::string> sources;
     for (const submission::LeftOut& one : leftOut_) {
       const std::string source = sourceOf(one.source);
-      std::string name = names.unique(one.name);
-      while (folder_.otherSource(name, source)) name = names.unique(one.name);
       Judged nothing;
-      nothing.record.name = name;
+      nothing.record.name = one.name;
       nothing.record.source = source;
       nothing.record.seed = folder_.seed();
       nothing.record.build = build_;
       nothing.record.leftOut = one.reason;
       folder_.put(nothing);
-      sources.emplace(source, name);
+      sources.emplace(source, one.name);
     }
     return sources;
   }
@@ -144,10 +139,13 @@ class ClassRun {
 
   bool stopped() const { return pace_.stopped() || failed_; }
 
-  bool isSame(const SubmissionRecord& known, const submission::Collected& collected) const {
-    return known.contents == collected.contents && known.seed == folder_.seed() &&
-           known.build.program == build_.program && known.build.flags == build_.flags &&
-           known.build.compiler == build_.compiler && known.hasMarks();
+  // One that ran out of time may go further now: the clock says something of the machine.
+  bool isSame(const SubmissionRecord& known, const std::string& name,
+              const submission::Collected& collected) const {
+    return known.name == name && known.contents == collected.contents &&
+           known.seed == folder_.seed() && known.build.program == build_.program &&
+           known.build.flags == build_.flags && known.build.compiler == build_.compiler &&
+           known.hasMarks() && !known.outOfTime;
   }
 
   void gradeOne(std::size_t i) {
@@ -156,7 +154,8 @@ class ClassRun {
     const submission::Collected collected = submission::collect(
         submission, {},
         folder_.whole() ? std::span<const int>() : std::span<const int>(folder_.parts()));
-    if (const auto known = folder_.find(name); known && isSame(*known, collected)) {
+    if (const auto known = folder_.find(name); known && isSame(*known, name, collected)) {
+      folder_.noteSource(*known, sourceOf(submission.source));
       graded_[i] = true;
       pace_.done(i, *known, true);
       return;

@@ -79,6 +79,7 @@ class Judge::Session {
     throwIfInterrupted();
     forgetFolder(record, folder_);
     record.printed = printed_;
+    record.outOfTime = outOfTime_;
     record.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
     return std::move(judged_);
   }
@@ -91,7 +92,8 @@ class Judge::Session {
 
   bool goOn() {
     if (!onProgress_(std::min(fraction_.load(), 1.0))) interrupted_ = true;
-    return !interrupted_ && !timeIsUp();
+    if (timeIsUp()) outOfTime_ = true;
+    return !interrupted_ && !outOfTime_;
   }
 
   void throwIfInterrupted() const {
@@ -273,7 +275,7 @@ class Judge::Session {
   const OnProgress& onProgress_;
   Clock::time_point started_ = Clock::now();
   std::atomic<double> fraction_{0.0};
-  std::atomic<bool> interrupted_{false};
+  std::atomic<bool> interrupted_{false}, outOfTime_{false};
   CourseworkBuild build_;
   Judged judged_;
   std::mutex printing_;

@@ -24,6 +24,7 @@ struct JudgeOptions {
   std::uint64_t seed = 1;
   std::vector<int> parts{0, 1, 2, 3, 4, 5, 6};
   bool whole = true;  // pictures of all parts together, and scenes
+  // By the clock, for a submission, from compiling to its last picture.
   double secondsAtMost = 600.0;
 };
 

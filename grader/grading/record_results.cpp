@@ -1,5 +1,6 @@
 #include "grading/record_results.h"
 
+#include "host/build_config.h"
 #include "host/display_path.h"
 #include "report/terminal.h"
 #include "scene/load_scene.h"
@@ -174,10 +175,10 @@ std::vector<record::SceneRecord> recordScenes(const checks::CourseworkResults& r
 
 void forgetFolder(record::SubmissionRecord& record, const std::filesystem::path& folder) {
   const std::string whole = std::filesystem::absolute(folder).lexically_normal().string() + "/",
-                    shown = displayPath(folder) + "/";
+                    shown = displayPath(folder) + "/",
+                    program = std::string(build::kProjectFolder) + "/";
   const auto clean = [&](std::string& text) {
-    remove(text, whole);
-    remove(text, shown);
+    for (const std::string& path : {whole, shown, program}) remove(text, path);
   };
   const auto cleanCheck = [&](record::CheckRecord& check) {
     for (std::string* text : {&check.where, &check.expected, &check.got, &check.cause})

@@ -7,6 +7,7 @@
 #include "sampling/mix.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -78,13 +79,23 @@ void drawDifference(Compared& compared, const Image& yours, const Image& referen
       encodeSignedPng(yours.width, yours.height, values, compared.record.scale);
 }
 
-std::string invalidWords(const InvalidPixels& invalid) {
-  if (invalid.count() == 0) return {};
-  return fmt::format("{} values of the picture were NaN, {} infinite and {} negative.", invalid.nan,
-                     invalid.infinite, invalid.negative);
-}
-
 }  // namespace
+
+std::string invalidWords(const InvalidPixels& invalid, double values) {
+  if (invalid.count() == 0) return {};
+  std::vector<std::string> kinds;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) kinds.push_back(fmt::format("{} {}", count, what));
+  };
+  add(invalid.nan, "NaN");
+  add(invalid.infinite, "infinite");
+  add(invalid.negative, "negative");
+  const double percent = 100.0 * static_cast<double>(invalid.count()) / values;
+  return fmt::format(
+      "{} % of its values are no radiance ({})",
+      percent < 9.95 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent),
+      fmt::join(kinds, ", "));
+}
 
 Measured renderMeasured(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed,
                         unsigned threads, const Effort& effort) {
@@ -142,7 +153,8 @@ Compared comparePicture(WorkerProcess& worker, const MarkingScene& scene, Solved
     record.meanError = meanErrors(yours.image, theirs.image);
     record.efficiency = efficiencyOver(yours, theirs);
     record.pValues = pValueHistogram(yours, theirs);
-    record.failure = invalidWords(rendered.invalid);
+    const double passes = static_cast<double>(kRaysPerPixel) / settings.raysPerPass();
+    record.invalid = invalidWords(rendered.invalid, passes * record.width * record.height);
     if (options.convergence) {
       record.convergence.raysPerPixel.assign(kRayCounts.begin(), kRayCounts.end());
       record.convergence.solutions = reference.convergence;

@@ -2,12 +2,14 @@
 //
 //   SolvedPictures   the solutions' pictures and samples of one seed, each made once
 //   comparePicture   a coursework's picture of one scene, and how it differs
+//   invalidWords     what of a picture is no radiance
 #pragma once
 
 #include "host/worker_process.h"
 #include "marking/marking_scenes.h"
 #include "marking/picture_statistics.h"
 #include "record/record.h"
+#include "render/render_job.h"
 
 #include <functional>
 #include <map>
@@ -77,5 +79,8 @@ struct CompareOptions {
 // WorkerStopped passes through.
 Compared comparePicture(WorkerProcess& worker, const MarkingScene& scene, SolvedPictures& solved,
                         const CompareOptions& options);
+
+// As PictureRecord has them, of a picture that is made of so many values, a pass of a pixel each.
+std::string invalidWords(const InvalidPixels& invalid, double values);
 
 }  // namespace pathmark::marking

@@ -104,6 +104,10 @@ struct PictureRecord {
     std::vector<double> raysPerPixel, yours, solutions;
   } convergence;
 
+  // "16 % of its values are no radiance (45946 NaN)"; empty: all are. Those are left out of the
+  // picture and of its numbers; a pixel that has no others is magenta.
+  std::string invalid;
+
   std::string failure;  // why there is no picture: a sentence
 };
 
@@ -129,6 +133,9 @@ struct PartRecord {
   // With this part as submitted and all others from the solutions.
   std::vector<PictureRecord> pictures;
   std::vector<MistakePicture> mistakes{};
+
+  // Whether there was anything to grade: a stub is a file, whose functions are not written.
+  bool hasFile() const { return verdict != Verdict::kNotWritten || !functions.empty(); }
 };
 
 // Where a sampling function puts its samples.
@@ -168,7 +175,7 @@ struct BuildRecord {
 };
 
 struct SubmissionRecord {
-  static constexpr int kFormat = 4;
+  static constexpr int kFormat = 5;
 
   std::string name;      // unique in a class
   std::string source;    // the folder or archive, as it was given
@@ -185,6 +192,7 @@ struct SubmissionRecord {
   std::string printed;  // the beginning of what the coursework printed
   std::string leftOut;  // why there was nothing to grade: a sentence; there is nothing else then
   std::string failure;  // of the grader or the machine: a sentence; the record is not complete then
+  bool outOfTime = false;  // something is missing: the time for the whole submission was up
   double seconds = 0.0;
 
   bool internalError() const { return !failure.empty(); }

@@ -109,6 +109,7 @@ void visit(Visitor& v, T& p) requires std::same_as<std::remove_const_t<T>, Pictu
   v("efficiency", p.efficiency);
   v("pValues", p.pValues);
   v("convergence", p.convergence);
+  v("invalid", p.invalid);
   v("failure", p.failure);
 }
 
@@ -191,6 +192,7 @@ void visit(Visitor& v, T& r) requires std::same_as<std::remove_const_t<T>, Submi
   v("printed", r.printed);
   v("leftOut", r.leftOut);
   v("failure", r.failure);
+  v("outOfTime", r.outOfTime);
   v("seconds", r.seconds);
 }
 

@@ -53,15 +53,20 @@ Markup wordsOf(const Graded& graded) {
   return words.html.empty() ? words : markup("<ul class=\"words\">{}</ul>", words);
 }
 
+Markup sourceOf(const record::SubmissionRecord& record) {
+  const std::string name = submissionName(record);
+  return name.empty() || name == record.name ? Markup{} : markup("<small>{}</small>", name);
+}
+
 Markup submissionRow(const Graded& graded, const std::vector<ClassPart>& parts) {
   const bool complete = graded.record->hasMarks();
   Markup cells;
   for (const ClassPart& part : parts) cells += pointsCell(marksOf(graded, part.part), complete);
   const rubric::PartMarks total{0, "", graded.marks->points, graded.marks->outOf, {}};
   return markup(
-      "<tr><th scope=\"row\" data-value=\"{0}\"><a href=\"{1}\">{2}<span>{0}</span></a></th>{3}{4}"
-      "<td>{5}</td></tr>\n",
-      graded.record->name, Markup{linkOf(graded)}, smallPicture(graded),
+      "<tr><th scope=\"row\" data-value=\"{0}\"><a href=\"{1}\">{2}<span>{0}{3}</span></a></th>"
+      "{4}{5}<td>{6}</td></tr>\n",
+      graded.record->name, Markup{linkOf(graded)}, smallPicture(graded), sourceOf(*graded.record),
       pointsCell(&total, complete), cells, wordsOf(graded));
 }
 

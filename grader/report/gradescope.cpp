@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace pathmark::report {
 
 namespace {
@@ -17,6 +19,9 @@ using record::SubmissionRecord;
 using record::Verdict;
 
 constexpr std::size_t kLongestOutput = 8000;
+
+// Without the last digits of sums, which are nobody's points.
+double rounded(double points) { return std::round(1e6 * points) / 1e6; }
 
 std::string foundIn(const FunctionRecord& function) {
   std::string text;
@@ -43,7 +48,7 @@ Json testOf(const SubmissionRecord& record, const rubric::PartMarks& part, std::
   const bool full = line.outOf == 0.0 || line.points >= line.outOf;
   return Json{{"name", cleanLine(fmt::format("{}: {}", part.title, line.what))},
               {"number", fmt::format("{}.{}", part.part, number + 1)},
-              {"score", line.points},
+              {"score", rounded(line.points)},
               {"max_score", line.outOf},
               {"status", full ? "passed" : "failed"},
               {"output", outputOf(record, part, line)},

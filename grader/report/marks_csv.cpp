@@ -32,7 +32,7 @@ std::string namesLine(const std::vector<ClassPart>& parts) {
   for (const ClassPart& part : parts)
     for (const char* what : {"", " out of", " verdict"})
       cells.push_back(csvCell(partName(part.part) + what));
-  cells.insert(cells.end(), {"seed", "remarks"});
+  cells.insert(cells.end(), {"seed", "remarks", "submission"});
   return lineOf(cells);
 }
 
@@ -42,7 +42,13 @@ std::string remarksOf(const Graded& graded) {
   if (!graded.record->leftOut.empty())
     remarks.push_back(fmt::format("No marks: {}", graded.record->leftOut));
   for (const std::string& sentence : graded.marks->toReview) remarks.push_back(sentence);
-  for (const std::string& sentence : graded.record->collecting) remarks.push_back(sentence);
+  const auto isSaid = [&](const std::string& sentence) {
+    return std::any_of(remarks.begin(), remarks.end(), [&](const std::string& remark) {
+      return remark.find(sentence) != std::string::npos;
+    });
+  };
+  for (const std::string& sentence : graded.record->collecting)
+    if (!isSaid(sentence)) remarks.push_back(sentence);
   return fmt::format("{}", fmt::join(remarks, " "));
 }
 
@@ -61,6 +67,7 @@ std::string submissionLine(const Graded& graded, const std::vector<ClassPart>& p
   }
   cells.push_back(fmt::format("{}", graded.record->seed));
   cells.push_back(csvCell(remarksOf(graded)));
+  cells.push_back(csvCell(submissionName(*graded.record)));
   return lineOf(cells);
 }
 

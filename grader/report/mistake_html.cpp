@@ -17,7 +17,12 @@ Markup small(const std::string& png, std::string_view alt, std::string_view name
   return markup("<figure class=\"pane\">{}<figcaption>{}</figcaption></figure>\n", image, name);
 }
 
-std::string sentence(const MistakePicture& m) {
+bool showsSomething(const MistakePicture& m, const std::string& invalid) {
+  return m.bias.low >= kSeen || !invalid.empty();
+}
+
+std::string sentence(const MistakePicture& m, const std::string& invalid) {
+  if (!invalid.empty()) return fmt::format("It shows in your picture: {}.", invalid);
   if (m.bias.low < kSeen)
     return "It hardly shows in the picture: the checks found it, the eye would not.";
   if (looksAlike(m))
@@ -37,9 +42,10 @@ bool looksAlike(const MistakePicture& m) {
   return m.bias.low >= kSeen && m.apart.value < kAlike * m.bias.value;
 }
 
-Markup mistakeHtml(const MistakePicture& m, const PictureSource& source) {
+Markup mistakeHtml(const MistakePicture& m, const std::string& invalid,
+                   const PictureSource& source) {
   Markup panes;
-  if (m.bias.low >= kSeen) {
+  if (showsSomething(m, invalid)) {
     panes += small(source(m.yours), fmt::format("{}: yours", m.scene), "yours");
     panes += small(source(m.picture), fmt::format("{}: with this mistake", m.scene),
                    "with this mistake");
@@ -48,7 +54,7 @@ Markup mistakeHtml(const MistakePicture& m, const PictureSource& source) {
   return markup(
       "<section class=\"mistake\">\n<h4>{}<small>{}</small></h4>\n<p>{}</p>\n"
       "<div class=\"alike\">\n{}</div>\n</section>\n",
-      m.what, m.scene, sentence(m), panes);
+      m.what, m.scene, sentence(m, invalid), panes);
 }
 
 }  // namespace pathmark::report

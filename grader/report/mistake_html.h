@@ -14,7 +14,9 @@ namespace pathmark::report {
 bool looksAlike(const record::MistakePicture& mistake);
 
 // Yours, the mistake's and the correct picture, small, below a sentence that says whether they look
-// alike. No pictures where yours is not off by enough to be seen.
-Markup mistakeHtml(const record::MistakePicture& mistake, const PictureSource& source);
+// alike. No pictures where yours is not off by enough to be seen. `invalid` is that of your
+// picture's record: what of it is no radiance.
+Markup mistakeHtml(const record::MistakePicture& mistake, const std::string& invalid,
+                   const PictureSource& source);
 
 }  // namespace pathmark::report

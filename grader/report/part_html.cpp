@@ -77,6 +77,13 @@ Markup picturesHtml(const std::vector<PictureRecord>& pictures, const PictureSou
   return html;
 }
 
+// What is no radiance in the part's own picture, beside which the mistake's is shown.
+std::string invalidIn(const PartRecord& part, const record::MistakePicture& mistake) {
+  for (const PictureRecord& picture : part.pictures)
+    if (picture.scene == mistake.scene) return picture.invalid;
+  return {};
+}
+
 Markup contentsOf(const PartView& view, const SubmissionRecord& record,
                   const PictureSource& source) {
   Markup html;
@@ -95,7 +102,7 @@ Markup contentsOf(const PartView& view, const SubmissionRecord& record,
     html += functionHtml(function);
   Markup mistakes;
   for (const record::MistakePicture& mistake : view.record->mistakes)
-    mistakes += mistakeHtml(mistake, source);
+    mistakes += mistakeHtml(mistake, invalidIn(*view.record, mistake), source);
   if (!mistakes.html.empty()) html += markup("<h3>What the mistake looks like</h3>\n{}", mistakes);
   Markup samples;
   for (const SampleRecord& s : record.samples)

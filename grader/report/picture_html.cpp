@@ -56,6 +56,10 @@ std::string efficiencyText(const Estimate& e) {
 Markup numbers(const PictureRecord& picture) {
   Markup rows = term("off by", percentText(picture.bias));
   rows += term("mean error", channels(picture.meanError));
+  if (!picture.invalid.empty())
+    rows += term("invalid", fmt::format("{}. These are left out; a pixel that has no others is "
+                                        "magenta.",
+                                        picture.invalid));
   if (picture.efficiency) rows += term("efficiency", efficiencyText(*picture.efficiency));
   return markup("<dl class=\"facts\">{}</dl>\n", rows);
 }

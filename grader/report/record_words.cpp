@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 namespace pathmark::report {
 
@@ -15,11 +17,13 @@ using record::Verdict;
 
 namespace {
 
-std::optional<Verdict> bestVerdict(const std::vector<record::SceneRecord>& scenes) {
+// Only where the whole was graded are there pictures of it, and scenes were looked for.
+std::optional<Verdict> verdictOfScenes(const SubmissionRecord& record) {
   std::optional<Verdict> best;
-  for (const record::SceneRecord& scene : scenes)
+  for (const record::SceneRecord& scene : record.scenes)
     if (!best || worseThan(*best, scene.verdict)) best = scene.verdict;
-  return best;
+  if (best || record.pictures.empty() || !record.hasMarks()) return best;
+  return record.outOfTime && record.images.empty() ? Verdict::kTimeLimit : Verdict::kNotWritten;
 }
 
 std::optional<Verdict> worstVerdict(const std::vector<CheckRecord>& checks) {
@@ -36,9 +40,31 @@ std::string partNames(const std::vector<int>& parts) {
   return names;
 }
 
-std::string_view wordsOf(Verdict verdict, bool several) {
-  if (several && verdict == Verdict::kDoesNotCompile) return "do not compile";
+// What to say after the name of one part.
+std::string_view wordsOf(const SubmissionRecord& record, int part, Verdict verdict) {
+  for (const PartRecord& p : record.parts)
+    if (p.part == part && !p.hasFile()) return "missing";
   return nameOf(verdict);
+}
+
+std::string_view ofSeveral(std::string_view words) {
+  return words == nameOf(Verdict::kDoesNotCompile) ? "do not compile" : words;
+}
+
+// Letters and digits of all scripts: what a submission's name keeps of that of its file.
+std::string lettersOf(std::string_view name) {
+  std::string letters;
+  for (const char c : name)
+    if (static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) != 0)
+      letters += c;
+  return letters;
+}
+
+// Without the number that a second one of the same name has.
+bool hasItsNameFrom(const std::string& name, const std::string& file) {
+  const std::size_t end = name.find_last_not_of("0123456789");
+  const bool numbered = end != std::string::npos && end + 1 < name.size() && name[end] == '-';
+  return lettersOf(file).starts_with(lettersOf(numbered ? name.substr(0, end) : name));
 }
 
 }  // namespace
@@ -48,8 +74,18 @@ std::string whyNoMarks(const SubmissionRecord& record) {
   return record.leftOut.empty() ? std::string() : fmt::format("was not graded: {}", record.leftOut);
 }
 
+std::string submissionName(const SubmissionRecord& record) {
+  std::filesystem::path source = record.source;
+  if (!source.has_filename()) source = source.parent_path();
+  const std::string file = source.filename().string(),
+                    folder = source.parent_path().filename().string();
+  return hasItsNameFrom(record.name, file) || !hasItsNameFrom(record.name, folder)
+             ? file
+             : fmt::format("{}/{}", folder, file);
+}
+
 std::optional<Verdict> verdictOfPart(const SubmissionRecord& record, int part) {
-  if (part == kScenesPart) return bestVerdict(record.scenes);
+  if (part == kScenesPart) return verdictOfScenes(record);
   if (part == kWhole) return worstVerdict(record.images);
   for (const PartRecord& p : record.parts)
     if (p.part == part) return p.verdict;
@@ -68,19 +104,21 @@ std::vector<std::string> whatIsWrong(const SubmissionRecord& record) {
   if (record.internalError()) return {"internal error"};
   if (!record.leftOut.empty()) return {"not graded"};
   std::vector<std::string> sentences;
-  std::vector<std::pair<Verdict, std::vector<int>>> groups;
+  std::vector<std::pair<std::string_view, std::vector<int>>> groups;
   for (int part = 0; part <= kWhole; ++part) {
     const std::optional<Verdict> verdict = verdictOfPart(record, part);
     if (!verdict || *verdict == Verdict::kOk || *verdict == Verdict::kBlocked) continue;
-    const auto same = [&](const auto& group) { return group.first == *verdict && part != kWhole; };
+    const std::string_view words = wordsOf(record, part, *verdict);
+    const auto same = [&](const auto& group) { return group.first == words && part != kWhole; };
     const auto found = std::find_if(groups.begin(), groups.end(), same);
     if (found != groups.end())
       found->second.push_back(part);
     else
-      groups.emplace_back(*verdict, std::vector<int>{part});
+      groups.emplace_back(words, std::vector<int>{part});
   }
-  for (const auto& [verdict, parts] : groups)
-    sentences.push_back(fmt::format("{} {}", partNames(parts), wordsOf(verdict, parts.size() > 1)));
+  for (const auto& [words, parts] : groups)
+    sentences.push_back(
+        fmt::format("{} {}", partNames(parts), parts.size() > 1 ? ofSeveral(words) : words));
   return sentences;
 }
 

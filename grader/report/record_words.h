@@ -1,6 +1,7 @@
 // Words for what is in a record; they are the same in every report.
 //
 //   whyNoMarks       "was not graded: ..."
+//   submissionName   of the folder or archive that was handed in
 //   verdictOfPart    of parts 0 to 7, or of the whole as submitted
 //   partName         "part 3", "whole"
 //   isFault          whether a verdict says that something is wrong with the coursework
@@ -28,8 +29,12 @@ inline constexpr int kScenesPart = 7, kWhole = 10;
 // What to say after its name; empty if it has marks.
 std::string whyNoMarks(const record::SubmissionRecord& record);
 
-// The worst of the whole, the best of the scenes: one good scene is enough. Nothing if the record
-// does not say.
+// "Müller, Anna", "Alex Kim.tar.gz"; after its folder's name where the submission has its name from
+// there, as learning platforms make a folder for each archive. Empty if it is not known.
+std::string submissionName(const record::SubmissionRecord& record);
+
+// The worst of the whole, the best of the scenes: one good scene is enough, and without any the
+// part is not written. Nothing if the record does not say.
 std::optional<record::Verdict> verdictOfPart(const record::SubmissionRecord& record, int part);
 
 std::string partName(int part);
@@ -37,8 +42,9 @@ std::string partName(int part);
 // Wrong, not compiling, stopped; neither unwritten nor blocked nor an error of the grader.
 bool isFault(record::Verdict verdict);
 
-// "part 4 does not compile", "parts 2 and 3 wrong"; what is only blocked is left out. After an
-// internal error, or where nothing was graded, nothing else is known.
+// "part 4 does not compile", "parts 2 and 3 wrong", "part 5 missing", of which there is no file;
+// what is only blocked is left out. After an internal error, or where nothing was graded, nothing
+// else is known.
 std::vector<std::string> whatIsWrong(const record::SubmissionRecord& record);
 
 // Null if there are none.

@@ -33,7 +33,7 @@ std::string standing(const SubmissionRecord& record) {
     }
   if (all == 0) return {};
   const std::size_t others = all - right - faults - unwritten;
-  std::string text = fmt::format("{} of {} functions that could be tried are right", right, all);
+  std::string text = fmt::format("{} of {} functions that were looked at are right", right, all);
   if (faults > 0) text += fmt::format(", {} {} not", faults, faults == 1 ? "is" : "are");
   if (unwritten > 0)
     text += fmt::format(", {} {} not written", unwritten, unwritten == 1 ? "is" : "are");
@@ -138,7 +138,17 @@ Markup printed(const SubmissionRecord& record) {
       cutAfter(cleanText(record.printed), kLongestPrinted));
 }
 
-Markup howItWasMade(const SubmissionRecord& record) {
+// A record without pictures of the whole is of one part alone.
+std::string commandFor(const SubmissionRecord& record, const rubric::Marks& marks) {
+  std::string command = fmt::format("./pathmark grade {}", shellWord(record.source));
+  if (record.pictures.empty() && record.parts.size() == 1)
+    command += fmt::format(" --only part{}", record.parts.front().part);
+  command += fmt::format(" --seed {}", record.seed);
+  if (!marks.rubric.empty()) command += fmt::format(" --rubric {}", shellWord(marks.rubric));
+  return cleanLine(command);
+}
+
+Markup howItWasMade(const SubmissionRecord& record, const rubric::Marks& marks) {
   Markup rows = term("seed", fmt::format("{}", record.seed));
   rows += term("sandbox", record.build.sandbox);
   rows += term("compiler", record.build.compiler);
@@ -152,9 +162,9 @@ Markup howItWasMade(const SubmissionRecord& record) {
       "the "
       "solutions of all others, so that no mistake is counted twice, and asked with random inputs. "
       "The same seed gives the same marks, on any number of threads:</p>\n"
-      "<pre tabindex=\"0\"><code>./pathmark grade {} --seed {}</code></pre>\n"
+      "<pre tabindex=\"0\"><code>{}</code></pre>\n"
       "<dl class=\"facts\">{}</dl></section>\n",
-      cleanLine(shellWord(record.source)), record.seed, rows);
+      commandFor(record, marks), rows);
 }
 
 }  // namespace
@@ -166,7 +176,7 @@ std::string submissionHtml(const SubmissionRecord& record, const rubric::Marks& 
   for (const PartView& view : views) body += partHtml(view, record, pictures);
   body += collecting(record);
   body += printed(record);
-  if (record.leftOut.empty()) body += howItWasMade(record);
+  if (record.leftOut.empty()) body += howItWasMade(record, marks);
   body += Markup{"</main>"};
   return page(fmt::format("{} \u2013 Pathmark", record.name), body,
               {assets::kPictureSliderJs, assets::kPictureSliderJsSha256});

@@ -4,11 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pathmark::rubric {
 
 namespace {
+
+using record::PictureRecord;
 
 double biasCredit(double bias, const Rubric& rubric) {
   for (const BiasBand& band : rubric.biasBands)
@@ -16,11 +19,25 @@ double biasCredit(double bias, const Rubric& rubric) {
   return 0.0;
 }
 
-Consequence consequence(const record::PictureRecord& picture, const Rubric& rubric) {
+// Values that are no radiance are in no bias: what they do to the picture is not seen there.
+double creditOf(const PictureRecord& picture, const Rubric& rubric) {
+  if (!picture.failure.empty()) return 0.0;
+  const double credit = biasCredit(picture.bias.low, rubric);
+  return picture.invalid.empty() ? credit : std::min(credit, rubric.withoutPicture);
+}
+
+std::string wordsOf(const PictureRecord& picture) {
   if (!picture.failure.empty())
-    return {0.0, fmt::format("there is no picture of {}: {}", picture.scene, picture.failure)};
-  return {biasCredit(picture.bias.low, rubric),
-          fmt::format("the picture of {} is {} off", picture.scene, interval(picture.bias))};
+    return fmt::format("there is no picture of {}: {}", picture.scene, picture.failure);
+  return fmt::format("the picture of {} is {} off{}{}", picture.scene, interval(picture.bias),
+                     picture.invalid.empty() ? "" : ", and ", picture.invalid);
+}
+
+// Among equal credits too, the words should be of the worst.
+bool isWorse(const PictureRecord& a, const PictureRecord& b, const Rubric& rubric) {
+  if (a.failure.empty() != b.failure.empty()) return b.failure.empty();
+  const double creditA = creditOf(a, rubric), creditB = creditOf(b, rubric);
+  return creditA != creditB ? creditA < creditB : a.bias.low > b.bias.low;
 }
 
 double efficiencyCredit(const record::Estimate& efficiency, const Rubric& rubric) {
@@ -44,23 +61,24 @@ std::string interval(const record::Estimate& shares) {
                      percent(shares.high));
 }
 
-std::optional<Consequence> worstPicture(std::span<const record::PictureRecord> pictures,
+std::optional<Consequence> worstPicture(std::span<const PictureRecord> pictures,
                                         const Rubric& rubric) {
-  const record::PictureRecord* worst = nullptr;
-  for (const record::PictureRecord& picture : pictures) {
-    const bool fails = !picture.failure.empty();
-    if (worst == nullptr || (fails && worst->failure.empty()) ||
-        (!fails && worst->failure.empty() && picture.bias.low > worst->bias.low))
-      worst = &picture;
-  }
+  const PictureRecord* worst = nullptr;
+  for (const PictureRecord& picture : pictures)
+    if (worst == nullptr || isWorse(picture, *worst, rubric)) worst = &picture;
   if (worst == nullptr) return std::nullopt;
-  return consequence(*worst, rubric);
+  return Consequence{creditOf(*worst, rubric), wordsOf(*worst)};
 }
 
-std::optional<Economy> worstEfficiency(std::span<const record::PictureRecord> pictures,
+bool isRight(const PictureRecord& picture, const Rubric& rubric) {
+  return picture.failure.empty() && picture.invalid.empty() &&
+         biasCredit(picture.bias.low, rubric) >= biasCredit(0.0, rubric);
+}
+
+std::optional<Economy> worstEfficiency(std::span<const PictureRecord> pictures,
                                        const Rubric& rubric) {
-  const record::PictureRecord* worst = nullptr;
-  for (const record::PictureRecord& picture : pictures)
+  const PictureRecord* worst = nullptr;
+  for (const PictureRecord& picture : pictures)
     if (picture.efficiency &&
         (worst == nullptr || picture.efficiency->high < worst->efficiency->high))
       worst = &picture;

@@ -1,6 +1,7 @@
 #include "rubric/mark_part.h"
 
 #include "rubric/consequence.h"
+#include "rubric/lost_file.h"
 #include "rubric/verdict_credit.h"
 #include "worker/contract.h"
 
@@ -18,6 +19,7 @@ using record::FunctionRecord;
 using record::Verdict;
 
 struct PartMarker {
+  const record::SubmissionRecord& record;
   const record::PartRecord& part;
   const PartRubric& worth;
   const Rubric& rubric;
@@ -28,6 +30,7 @@ struct PartMarker {
   MarkLine markEfficiency(const std::vector<MarkLine>& functions) const;
   void markWrong(const FunctionRecord& function, MarkLine& line) const;
   void byConsequence(const std::string& what, double unseen, MarkLine& line) const;
+  std::string whyThereIsNoFile() const;
   double pricesOf(const FunctionRecord& function) const;
   bool allHavePrices(const FunctionRecord& function) const;
 };
@@ -98,13 +101,20 @@ void PartMarker::byConsequence(const std::string& what, double unseen, MarkLine&
                   percent(credit));
 }
 
+std::string PartMarker::whyThereIsNoFile() const {
+  const std::string became = whatBecameOf(record, part.part);
+  return became.empty()
+             ? fmt::format("There is no {} in the submission.", partNumbered(part.part).file)
+             : became;
+}
+
 MarkLine PartMarker::markFunction(const FunctionContract& contract, double outOf) const {
   const FunctionRecord function = recordOf(part, contract);
   MarkLine line{fmt::format("{} {}", contract.section, contract.name), 0.0, outOf, {}};
   reviewVerdict(function.verdict, line.what, toReview);
   if (const std::optional<VerdictCredit> known = creditOf(function.verdict, rubric)) {
     line.points = known->credit * outOf;
-    line.reason = sentence(known->reason);
+    line.reason = part.hasFile() ? sentence(known->reason) : whyThereIsNoFile();
   } else if (function.verdict == Verdict::kBlocked) {
     byConsequence(fmt::format("it could not be checked: {}", blockerOf(function)), 0.0, line);
   } else {
@@ -136,10 +146,12 @@ MarkLine PartMarker::markEfficiency(const std::vector<MarkLine>& functions) cons
   return line;
 }
 
+// What something else takes says nothing: only of a picture that is right is it hard to believe.
 void reviewEfficiency(const record::PartRecord& part, const Rubric& rubric,
                       std::vector<std::string>& toReview) {
   for (const record::PictureRecord& picture : part.pictures)
-    if (picture.efficiency && picture.efficiency->low > rubric.reviewAbove)
+    if (picture.efficiency && picture.efficiency->low > rubric.reviewAbove &&
+        isRight(picture, rubric))
       toReview.push_back(fmt::format(
           "Part {}: in {} it is {:.2g} ({:.2g} to {:.2g}) times as efficient as the solutions, "
           "which is hard to believe; where does it have its values from?",
@@ -158,9 +170,10 @@ bool isComplete(const record::SubmissionRecord& record) {
 
 }  // namespace
 
-std::vector<MarkLine> markPart(const record::PartRecord& part, const PartRubric& worth,
+std::vector<MarkLine> markPart(const record::SubmissionRecord& record,
+                               const record::PartRecord& part, const PartRubric& worth,
                                const Rubric& rubric, std::vector<std::string>& toReview) {
-  const PartMarker marker{part, worth, rubric, toReview};
+  const PartMarker marker{record, part, worth, rubric, toReview};
   std::vector<std::pair<const FunctionContract*, double>> functions;
   double sum = 0.0;
   for (const FunctionContract& function : contract()) {
@@ -181,8 +194,10 @@ std::vector<MarkLine> markPart(const record::PartRecord& part, const PartRubric&
 namespace {
 
 std::string whyThereIsNoScene(const record::SubmissionRecord& record) {
-  return record.refusedScenes.empty() ? "There is no scene in scenes/."
-                                      : record.refusedScenes.front();
+  if (!record.refusedScenes.empty()) return record.refusedScenes.front();
+  return record.outOfTime ? "There is no scene in scenes/, or the time for the whole submission "
+                            "was up before it was looked at."
+                          : "There is no scene in scenes/.";
 }
 
 }  // namespace
@@ -190,6 +205,9 @@ std::string whyThereIsNoScene(const record::SubmissionRecord& record) {
 std::vector<MarkLine> markScenes(const record::SubmissionRecord& record, const PartRubric& worth,
                                  const Rubric& rubric, std::vector<std::string>& toReview) {
   if (record.scenes.empty() && !isComplete(record)) return {};
+  if (record.scenes.empty() && !record.refusedScenes.empty())
+    toReview.push_back(fmt::format("Part {} counts as not written, but something was handed in: {}",
+                                   kScenesPart, record.refusedScenes.front()));
   MarkLine best{"a scene", -1.0, worth.points, whyThereIsNoScene(record)};
   for (const record::SceneRecord& scene : record.scenes) {
     // A scene of which only the rendering was blocked is as good as it can be without the parts.
@@ -222,6 +240,8 @@ std::vector<MarkLine> markWhole(const record::SubmissionRecord& record, const Pa
     const std::optional<VerdictCredit> known = creditOf(check.verdict, rubric);
     if (known) {
       lower(known->credit, known->reason);
+    } else if (seen && check.verdict == Verdict::kBlocked) {
+      continue;  // it says nothing that the picture does not show
     } else if (seen) {
       lower(rubric.wrongAtMost, fmt::format("{}; wrong in {}", seen->words, check.id));
     } else if (check.verdict == Verdict::kBlocked) {

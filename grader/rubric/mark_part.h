@@ -9,7 +9,9 @@
 
 namespace pathmark::rubric {
 
-std::vector<MarkLine> markPart(const record::PartRecord& part, const PartRubric& worth,
+// `part` is one of the record's.
+std::vector<MarkLine> markPart(const record::SubmissionRecord& record,
+                               const record::PartRecord& part, const PartRubric& worth,
                                const Rubric& rubric, std::vector<std::string>& toReview);
 
 // Part 7: one scene that is valid, says what it shows and can be rendered earns all points.

@@ -1,4 +1,5 @@
 #include "rubric/consequence.h"
+#include "rubric/lost_file.h"
 #include "rubric/mark_part.h"
 #include "rubric/rubric.h"
 #include "worker/contract.h"
@@ -50,10 +51,16 @@ void addUp(PartMarks& marks, double outOf, double step) {
 
 Marks markSubmission(const SubmissionRecord& record, const Rubric& rubric) {
   Marks marks;
+  if (rubric.file != defaultRubric()) marks.rubric = rubric.file.string();
   if (record.internalError())
     marks.toReview.push_back(fmt::format(
         "The grader could not finish, which costs no points: {} Grade this submission again.",
         record.failure));
+  if (record.outOfTime && record.hasMarks())
+    marks.toReview.push_back(
+        "The time for the whole submission was up before all of it was graded, which costs points: "
+        "is it slow, or was the machine busy? Grade it again, with a larger --time-limit.");
+  reviewLostFiles(record, marks.toReview);
   for (const PartRubric& worth : rubric.parts) {
     std::vector<MarkLine> lines;
     if (worth.part == kWholePart) {
@@ -61,7 +68,7 @@ Marks markSubmission(const SubmissionRecord& record, const Rubric& rubric) {
     } else if (worth.part == kScenesPart) {
       lines = markScenes(record, worth, rubric, marks.toReview);
     } else if (const record::PartRecord* part = find(record, worth.part)) {
-      lines = markPart(*part, worth, rubric, marks.toReview);
+      lines = markPart(record, *part, worth, rubric, marks.toReview);
     }
     if (lines.empty()) continue;
     PartMarks part{worth.part, titleOf(worth.part), 0.0, 0.0, std::move(lines)};

@@ -33,6 +33,8 @@ struct Marks {
 
   // What a person should look at before the marks are handed out: sentences.
   std::vector<std::string> toReview;
+
+  std::string rubric{};  // the file of the rubric, where it is not the default one
 };
 
 }  // namespace pathmark::rubric

@@ -248,6 +248,7 @@ Rubric readRubric(const std::filesystem::path& file) {
     json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
     const Place top(source);
     Rubric rubric = readTop(value, top);
+    rubric.file = file;
     value.erase("$schema");
     rubric.hash = contentHash(value.dump());  // without spaces and comments, keys sorted
     return rubric;

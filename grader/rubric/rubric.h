@@ -60,8 +60,9 @@ struct Rubric {
 
   // Of what is wrong.
   std::vector<BiasBand> biasBands{{0.005, 1.0}, {0.02, 0.8}, {0.05, 0.6}, {0.15, 0.4}, {0.5, 0.2}};
-  double wrongAtMost = 0.8;     // credit for a function that is wrong, however small the bias
-  double withoutPicture = 0.3;  // credit for one whose part appears in no picture
+  double wrongAtMost = 0.8;  // credit for a function that is wrong, however small the bias
+  // Credit for one whose part appears in no picture; at most that where some of it is no radiance.
+  double withoutPicture = 0.3;
 
   // Of what ended before it was done.
   double crashed = 0.0, timeLimit = 0.0, memoryLimit = 0.0, outputLimit = 0.0, forbiddenCall = 0.0;
@@ -69,6 +70,7 @@ struct Rubric {
   std::vector<EfficiencyBand> efficiencyBands{{0.1, 0.25}, {0.25, 0.5}, {0.5, 0.75}, {0.8, 1.0}};
   double reviewAbove = 3.0;  // an efficiency that a person should look at
 
+  std::filesystem::path file;  // that it was read from
   std::string hash;
 };
 

@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 namespace pathmark::submission {
@@ -60,6 +62,27 @@ bool isSubmission(const FolderReader& folder, int wrappers = 0) {
   return below && isSubmission(*below, wrappers + 1);
 }
 
+// Of what could be a class within a class: with a submission in it, or one as learning platforms
+// make them.
+bool isSubmissionFolder(const FolderReader& folder, const FolderEntry& entry) {
+  if (entry.kind != EntryKind::kFolder || isHidden(entry.name)) return false;
+  const std::optional<FolderReader> below = folder.openFolder(entry.name);
+  if (!below) return false;
+  const std::vector<FolderEntry> entries = below->list(kMostEntries);
+  return isSubmission(*below) ||
+         std::count_if(entries.begin(), entries.end(),
+                       [&](const FolderEntry& e) { return isArchive(*below, e); }) == 1;
+}
+
+// What lies beside a class's submissions, and is nobody's: lists, instructions, what systems leave.
+bool isDocument(const std::string& name) {
+  static constexpr std::array<std::string_view, 13> kEndings{
+      ".csv", ".tsv", ".txt",  ".md",  ".pdf", ".html", ".json",
+      ".ods", ".xls", ".xlsx", ".log", ".ini", ".db"};
+  const std::string ending = lowerCase(fs::path(name).extension().string());
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
 std::string nameOf(const fs::path& source, bool archive) {
   const std::string name = source.filename().string();
   return safeName(archive ? archiveStem(name).value_or(name) : name);
@@ -86,13 +109,14 @@ struct ByName {
 
 class Finder {
  public:
-  explicit Finder(bool onlyOnePath) : onlyOnePath_(onlyOnePath) {}
+  Finder(bool onlyOnePath, const EarlierNames& earlier)
+      : onlyOnePath_(onlyOnePath), earlier_(earlier) {}
 
   void path(const fs::path& given) {
     std::error_code error;
     const fs::path real = fs::canonical(given, error);
     if (error) {
-      found_.remarks.push_back(fmt::format("{}: there is no such file or folder.", given.string()));
+      found_.missing.push_back(given.string());
     } else if (fs::is_directory(real)) {
       folder(real);
     } else {
@@ -101,20 +125,35 @@ class Finder {
   }
 
   FoundSubmissions finish() {
-    auto& all = found_.submissions;
-    std::sort(all.begin(), all.end(), ByName{});
     UniqueNames names;
-    for (Submission& one : all) one.name = names.unique(one.name);
-    // -2 may have moved behind another's name.
-    std::sort(all.begin(), all.end(), ByName{});
+    for (const auto& [source, name] : earlier_) names.take(name);
+    for (const Submission& one : found_.submissions) remarkOnNewcomer(one, names);
+    giveNames(found_.submissions, names);
     // Behind all submissions, whose names do not depend on what lies beside them.
-    std::sort(found_.leftOut.begin(), found_.leftOut.end(), ByName{});
-    for (LeftOut& one : found_.leftOut) one.name = names.unique(one.name);
-    std::sort(found_.leftOut.begin(), found_.leftOut.end(), ByName{});
+    giveNames(found_.leftOut, names);
     return std::move(found_);
   }
 
  private:
+  // It may be somebody's of the same name, or the same one at another place.
+  void remarkOnNewcomer(const Submission& one, const UniqueNames& earlier) {
+    if (!earlier_.contains(one.source) && earlier.isTaken(one.name))
+      found_.remarks.push_back(
+          fmt::format("\"{}\" gets a name with a number: another submission has been graded as {}.",
+                      shown(one.source.string(), kLongestShown), one.name));
+  }
+
+  template <class T>
+  void giveNames(std::vector<T>& all, UniqueNames& names) const {
+    std::sort(all.begin(), all.end(), ByName{});
+    for (T& one : all) {
+      const auto known = earlier_.find(one.source);
+      one.name = known != earlier_.end() ? known->second : names.unique(one.name);
+    }
+    // -2 may have moved behind another's name.
+    std::sort(all.begin(), all.end(), ByName{});
+  }
+
   void add(const fs::path& source, const std::string& name, bool archive) {
     if (sources_.insert(source).second) found_.submissions.push_back({name, source, archive});
   }
@@ -170,6 +209,9 @@ class Finder {
         add(inside, nameOf(inside, true), true);
       } else if (entry.kind == EntryKind::kFolder) {
         studentFolder(inside, reader.openFolder(entry.name));
+      } else if (isDocument(entry.name)) {
+        found_.remarks.push_back(fmt::format("\"{}\" was taken for nobody's: it is a document.",
+                                             shown(inside.string(), kLongestShown)));
       } else {
         refuse(inside);
       }
@@ -181,9 +223,17 @@ class Finder {
     if (!reader) return leaveOut(path, kUnreadable);
     if (isSubmission(*reader)) return add(path, nameOf(path, false), false);
     std::vector<fs::path> archives;
-    for (const FolderEntry& entry : reader->list(kMostEntries))
+    std::size_t folders = 0;
+    for (const FolderEntry& entry : reader->list(kMostEntries)) {
       if (isArchive(*reader, entry)) archives.push_back(path / entry.name);
-    if (archives.size() == 1) {
+      if (isSubmissionFolder(*reader, entry)) ++folders;
+    }
+    if (folders > 0) {
+      const std::size_t all = folders + archives.size();
+      leaveOut(path, fmt::format("it holds {} submission{}: name it by itself on the command line, "
+                                 "or the one that counts",
+                                 all, all == 1 ? "" : "s"));
+    } else if (archives.size() == 1) {
       add(archives.front(), nameOf(path, false), true);
     } else if (archives.empty()) {
       refuse(path);
@@ -196,14 +246,15 @@ class Finder {
 
   // A folder that is named alone is a class, even if only one has handed in so far.
   bool onlyOnePath_;
+  const EarlierNames& earlier_;
   FoundSubmissions found_;
   std::set<fs::path> sources_;
 };
 
 }  // namespace
 
-FoundSubmissions findSubmissions(std::span<const fs::path> paths) {
-  Finder finder(paths.size() == 1);
+FoundSubmissions findSubmissions(std::span<const fs::path> paths, const EarlierNames& earlier) {
+  Finder finder(paths.size() == 1, earlier);
   for (const fs::path& path : paths) finder.path(path);
   return finder.finish();
 }

@@ -25,6 +25,10 @@ class UniqueNames {
   // `safe` is a safeName. Capitals count as small letters, as in some file systems.
   std::string unique(const std::string& safe);
 
+  // Nobody else gets it.
+  void take(const std::string& name) { taken_.insert(lowerCase(name)); }
+  bool isTaken(const std::string& name) const { return taken_.contains(lowerCase(name)); }
+
  private:
   std::set<std::string> taken_;  // in small letters
 };

@@ -37,15 +37,21 @@ struct LeftOut {
 struct FoundSubmissions {
   std::vector<Submission> submissions;  // in natural order of their names
   std::vector<LeftOut> leftOut;         // likewise
-  std::vector<std::string> remarks;     // about what is no submission, left out or not: sentences
+  std::vector<std::string> remarks;     // about what is no submission, and about names: sentences
+  std::vector<std::string> missing;     // paths where there is nothing
 };
+
+// The names that submissions have been graded under, by their sources.
+using EarlierNames = std::map<std::filesystem::path, std::string>;
 
 // A folder that is no submission is a class: each of its entries may be one. A folder that is the
 // only path, and merely wraps another one, is a class of one. A folder of a class
 // that holds nothing but one archive, as learning platforms make them, is that archive under the
-// folder's name. A path that has nothing in it but files that are no submission is left out as a
-// whole.
-FoundSubmissions findSubmissions(std::span<const std::filesystem::path> paths);
+// folder's name. Documents (.csv, .txt, .pdf and such) among the entries of a class are nobody's:
+// there is a remark about each and no more. A path that has nothing in it but files that are no
+// submission is left out as a whole. Whoever has an earlier name keeps it, and no other gets it.
+FoundSubmissions findSubmissions(std::span<const std::filesystem::path> paths,
+                                 const EarlierNames& earlier = {});
 
 struct Limits {
   std::size_t entries = 10'000;  // files, folders and whatever else there is

@@ -28,10 +28,14 @@ class Finding : public testing::Test {
     fs::create_directories((folder_ / name).parent_path());
     MadeArchive().file("part3_lambertian.cpp").write(kind, folder_ / name);
   }
-  FoundSubmissions find(const std::vector<std::string>& words) {
+  // `earlier` leads from places in the folder to names.
+  FoundSubmissions find(const std::vector<std::string>& words,
+                        const std::map<std::string, std::string>& earlier = {}) {
     std::vector<fs::path> paths;
     for (const std::string& word : words) paths.push_back(folder_ / word);
-    return findSubmissions(paths);
+    EarlierNames names;
+    for (const auto& [place, name] : earlier) names[fs::weakly_canonical(folder_ / place)] = name;
+    return findSubmissions(paths, names);
   }
   Names namesOf(const std::vector<std::string>& words) {
     Names all;
@@ -110,11 +114,10 @@ TEST_F(Finding, WhatIsNoSubmissionIsNamedAndStopsNothing) {
   EXPECT_EQ(found.submissions[0].name, "good");
   std::string all;
   for (const std::string& remark : found.remarks) all += remark + "\n";
-  for (const char* words :
-       {"notes.txt\" was left out: a submission is", "gone: there is no such file",
-        "nothing\" was left out: there is no submission in it",
-        "two\" was left out: there are 2 archives in it",
-        "link\" was left out: links within a class are not followed"})
+  for (const char* words : {"notes.txt\" was left out: a submission is",
+                            "nothing\" was left out: there is no submission in it",
+                            "two\" was left out: there are 2 archives in it",
+                            "link\" was left out: links within a class are not followed"})
     EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
 }
 
@@ -135,6 +138,22 @@ TEST_F(Finding, WhatIsLeftOutKeepsItsNameAndHasAReason) {
   }
   EXPECT_EQ(names, (Names{"Bob_1_", "carol", "dora", "emil"}));
   EXPECT_EQ(found.remarks.size(), found.leftOut.size());
+}
+
+TEST_F(Finding, ADocumentBesideSubmissionsIsNobodys) {
+  write("class/alice/part0_warmup.cpp");
+  write("class/grades.CSV");
+  write("class/Thumbs.db");
+  write("class/bob.cpp");
+  const FoundSubmissions found = find({"class"});
+  ASSERT_EQ(found.submissions.size(), 1u);
+  ASSERT_EQ(found.leftOut.size(), 1u);
+  EXPECT_EQ(found.leftOut[0].name, "bob") << "who may have handed it in";
+  EXPECT_EQ(std::count_if(found.remarks.begin(), found.remarks.end(),
+                          [](const std::string& remark) {
+                            return remark.ends_with(" was taken for nobody's: it is a document.");
+                          }),
+            2);
 }
 
 TEST_F(Finding, AFolderOfNothingButFilesIsLeftOutAsOne) {
@@ -186,7 +205,7 @@ TEST_F(Finding, AFolderThatCannotBeReadIsLeftOut) {
 TEST_F(Finding, WhatIsLeftOutTakesNoNameFromASubmission) {
   archive("class/bob.zip");
   write("class/bob.7z");
-  write("class/bob.txt");
+  write("class/bob.rar");
   const FoundSubmissions found = find({"class"});
   ASSERT_EQ(found.submissions.size(), 1u);
   EXPECT_EQ(found.submissions[0].name, "bob");
@@ -197,7 +216,68 @@ TEST_F(Finding, WhatIsLeftOutTakesNoNameFromASubmission) {
 
 TEST_F(Finding, AFileThatIsNotThereIsNobodys) {
   write("good/part0_warmup.cpp");
-  EXPECT_TRUE(find({"good", "godo"}).leftOut.empty());
+  const FoundSubmissions found = find({"good", "godo", "goood"});
+  EXPECT_TRUE(found.leftOut.empty());
+  EXPECT_EQ(found.missing, (Names{folder_ / "godo", folder_ / "goood"}));
+}
+
+TEST_F(Finding, AClassWithinAClassIsLeftOutWithTheNumberOfItsSubmissions) {
+  write("class/ada/part0_warmup.cpp");
+  write("class/section B/Bo/part0_warmup.cpp");
+  archive("class/section B/Cy/handed in.zip");
+  write("class/section C/Di/part0_warmup.cpp");
+  archive("class/section C/Eve.zip");
+  const FoundSubmissions found = find({"class"});
+  ASSERT_EQ(found.submissions.size(), 1u);
+  EXPECT_EQ(found.submissions[0].name, "ada");
+  ASSERT_EQ(found.leftOut.size(), 2u);
+  for (const LeftOut& one : found.leftOut)
+    EXPECT_EQ(one.reason,
+              "It holds 2 submissions: name it by itself on the command line, or the one that "
+              "counts.");
+  EXPECT_EQ(namesOf({"class/section B"}), (Names{"Bo", "Cy"}));
+}
+
+TEST_F(Finding, WhoeverHasAnEarlierNameKeepsIt) {
+  archive("class/Alex Kim.zip");
+  write("class/Alex Kim/part0_warmup.cpp");
+  const FoundSubmissions found = find({"class"}, {{"class/Alex Kim.zip", "Alex_Kim"}});
+  ASSERT_EQ(found.submissions.size(), 2u);
+  EXPECT_EQ(found.submissions[0].name, "Alex_Kim");
+  EXPECT_TRUE(found.submissions[0].isArchive);
+  EXPECT_EQ(found.submissions[1].name, "Alex_Kim-2");
+  ASSERT_EQ(found.remarks.size(), 1u);
+  EXPECT_NE(found.remarks[0].find("another submission has been graded as Alex_Kim"),
+            std::string::npos)
+      << found.remarks[0];
+  // Alone, too.
+  const FoundSubmissions second = find({"class/Alex Kim"}, {{"class/Alex Kim", "Alex_Kim-2"}});
+  ASSERT_EQ(second.submissions.size(), 1u);
+  EXPECT_EQ(second.submissions[0].name, "Alex_Kim-2");
+  EXPECT_TRUE(second.remarks.empty());
+}
+
+TEST_F(Finding, NobodyGetsTheEarlierNameOfOneElsewhere) {
+  write("group1/ada/part0_warmup.cpp");
+  write("group2/Ada/part0_warmup.cpp");
+  write("group2/ben/part0_warmup.cpp");
+  fs::create_directories(folder_ / "group3/ada");
+  write("group3/cy/part0_warmup.cpp");
+  const std::map<std::string, std::string> earlier{{"group1/ada", "ada"}};
+  const FoundSubmissions second = find({"group2"}, earlier);
+  ASSERT_EQ(second.submissions.size(), 2u);
+  EXPECT_EQ(second.submissions[0].name, "Ada-2");
+  const FoundSubmissions third = find({"group3"}, earlier);
+  ASSERT_EQ(third.leftOut.size(), 1u);
+  EXPECT_EQ(third.leftOut[0].name, "ada-2");
+}
+
+TEST_F(Finding, WhatIsLeftOutKeepsTheNameThatItWasGradedUnder) {
+  fs::create_directories(folder_ / "class/ada");
+  write("class/ben/part0_warmup.cpp");
+  const FoundSubmissions found = find({"class"}, {{"class/ada", "ada"}});
+  ASSERT_EQ(found.leftOut.size(), 1u);
+  EXPECT_EQ(found.leftOut[0].name, "ada");
 }
 
 TEST_F(Finding, TheSamePlaceCountsOnce) {

@@ -97,6 +97,19 @@ TEST_F(GradeCommand, GradesNothingTwice) {
   EXPECT_NE(textOf(recordOf("right")), before);
 }
 
+TEST_F(GradeCommand, GradesAnewWhatRanOutOfTime) {
+  add("slow", kWeight, "for (volatile int i = 0;; i = i + 1) {}");
+  const ProcessResult limited = grade({"--time-limit", "1"});
+  EXPECT_EQ(limited.exitCode, 0) << limited.output;
+  EXPECT_NE(limited.output.find("out of time: the same command grades it anew"), std::string::npos)
+      << limited.output;
+  EXPECT_TRUE(record("slow")["outOfTime"].get<bool>());
+  EXPECT_TRUE(record("slow")["parts"][0]["functions"].empty());
+  ASSERT_EQ(grade().exitCode, 0);
+  EXPECT_FALSE(record("slow")["outOfTime"].get<bool>());
+  EXPECT_EQ(record("slow")["parts"][0]["functions"][0]["verdict"], "time limit");
+}
+
 TEST_F(GradeCommand, GoesOnAfterItWasKilled) {
   for (const char* name : {"a", "b", "c", "d"}) add(name);
   {
@@ -144,8 +157,8 @@ TEST_F(GradeCommand, ANewRubricMarksRecordsAnewWithoutRunningThem) {
   std::ofstream(folder_ / "rubric.json") << rubric.dump(1);
   // The submissions themselves are not needed for it.
   fs::remove_all(classFolder());
-  const ProcessResult result = run({PATHMARK_PROGRAM, "grade", "--out", quoted(out()), "--only",
-                                    "part6", "--rubric", quoted(folder_ / "rubric.json")},
+  const ProcessResult result = run({PATHMARK_PROGRAM, "grade", "--out", quoted(out()), "--rubric",
+                                    quoted(folder_ / "rubric.json")},
                                    kRoot);
   EXPECT_EQ(result.exitCode, 0) << result.output;
   EXPECT_EQ(textOf(recordOf("right")), before);
@@ -260,17 +273,58 @@ TEST_F(GradeCommand, ReplacesNoRecordOfAnotherSubmission) {
   const std::vector<std::string> other{
       PATHMARK_PROGRAM, "grade", quoted(folder_ / "group2/ada"), "--out", quoted(out()),
       "--only",         "part6"};
-  const ProcessResult refused = run(other, kRoot);
-  EXPECT_EQ(refused.exitCode, 2);
-  EXPECT_NE(refused.output.find("this is the record of " + quoted(classFolder() / "ada")),
-            std::string::npos)
-      << refused.output;
+  const ProcessResult result = run(other, kRoot);
+  EXPECT_EQ(result.exitCode, 0) << result.output;
+  EXPECT_NE(result.output.find("another submission has been graded as ada"), std::string::npos)
+      << result.output;
   EXPECT_EQ(textOf(recordOf("ada")), before);
-  // What it was made from has been handed in anew, or moved.
-  fs::remove_all(classFolder());
+  EXPECT_EQ(record("ada-2")["source"], quoted(folder_ / "group2/ada"));
+}
+
+TEST_F(GradeCommand, KnowsASubmissionThatWasMoved) {
+  add("ada");
+  ASSERT_EQ(grade().exitCode, 0);
+  Json moved = record("ada");
+  const std::string place = quoted(folder_ / "group2/ada");
+  moved["source"] = place;
+  fs::rename(classFolder(), folder_ / "group2");
+  const std::vector<std::string> other{PATHMARK_PROGRAM, "grade",  place,  "--out",
+                                       quoted(out()),    "--only", "part6"};
+  EXPECT_EQ(run(other, kRoot).exitCode, 0);
+  EXPECT_EQ(record("ada"), moved) << "the same files, so that it is not graded again";
   std::ofstream(folder_ / "group2/ada/part6_roulette.cpp", std::ios::app) << "// new\n";
   EXPECT_EQ(run(other, kRoot).exitCode, 0);
-  EXPECT_EQ(record("ada")["source"], quoted(folder_ / "group2/ada"));
+  EXPECT_NE(record("ada")["contents"], moved["contents"]);
+  EXPECT_FALSE(fs::exists(recordOf("ada-2")));
+}
+
+TEST_F(GradeCommand, ASubmissionKeepsItsNameWhoeverComesAndGoes) {
+  add("Alex_Kim");
+  ASSERT_EQ(grade().exitCode, 0);
+  const std::string before = textOf(recordOf("Alex_Kim"));
+  // Of the same safe name, and before the other in order.
+  add("Alex Kim");
+  const ProcessResult both = grade();
+  EXPECT_EQ(both.exitCode, 0) << both.output;
+  EXPECT_EQ(textOf(recordOf("Alex_Kim")), before);
+  const std::string second = textOf(recordOf("Alex_Kim-2"));
+  EXPECT_EQ(record("Alex_Kim-2")["source"], quoted(classFolder() / "Alex Kim"));
+  fs::remove_all(classFolder() / "Alex_Kim");
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_EQ(textOf(recordOf("Alex_Kim")), before);
+  EXPECT_EQ(textOf(recordOf("Alex_Kim-2")), second);
+}
+
+TEST_F(GradeCommand, APartsFolderIsTheSameForItsNumberAndItsName) {
+  add("right");
+  const fs::path made = folder_ / "grades-part6";
+  ASSERT_EQ(run({PATHMARK_PROGRAM, "grade", quoted(classFolder()), "--only", "6"}, folder_.path())
+                .exitCode,
+            0);
+  EXPECT_TRUE(fs::exists(made / "marks.csv"));
+  fs::remove(made / "marks.csv");
+  EXPECT_EQ(run({PATHMARK_PROGRAM, "grade", "--only", "part6"}, folder_.path()).exitCode, 0);
+  EXPECT_TRUE(fs::exists(made / "marks.csv"));
 }
 
 TEST_F(GradeCommand, LeavesNoRowUnderTheOldNameOfASubmission) {
@@ -308,6 +362,7 @@ TEST_F(GradeCommand, SaysWhatItCannotMean) {
   const std::string nowhere = quoted(folder_ / "nowhere");
   says({"--out", nowhere}, "Name what is to be graded");
   says({nowhere}, nowhere);
+  says({"solutions", nowhere, "--out", nowhere}, nowhere + ": there is no such file or folder.");
   says({"solutions", "--only", "part7", "--out", nowhere}, "allowed is a part: part0 to part6");
   says({"solutions", "--rubric", nowhere}, nowhere);
   says({"solutions", "--jobs", "0"}, "--jobs");

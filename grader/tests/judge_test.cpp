@@ -1,6 +1,7 @@
 // From a submission's files to its record.
 #include "grading/judge.h"
 #include "grading/record_results.h"
+#include "host/build_config.h"
 #include "record/record_json.h"
 #include "support/test_coursework_files.h"
 #include "variants/variant.h"
@@ -83,6 +84,7 @@ TEST_F(JudgeTest, WhatIsRightIsOkAndAsEfficientAsTheSolutions) {
   EXPECT_GT(picture.efficiency->high, 1.0);
   for (const std::string& file : {picture.yours, picture.reference, picture.difference})
     EXPECT_EQ(judged.files.at(file).substr(1, 3), "PNG");
+  EXPECT_FALSE(judged.record.outOfTime);
   ASSERT_EQ(judged.record.samples.size(), 1u);
   EXPECT_EQ(judged.record.samples[0].histograms[0].yours,
             judged.record.samples[0].histograms[0].expected);
@@ -124,11 +126,16 @@ TEST_F(JudgeTest, AFileThatDoesNotCompileCostsOnlyItsPart) {
   options.parts = {3, 6};
   Judge judge(options, nullptr);
   const Judged judged =
-      judge.judge(submission("part3_lambertian.cpp", "int x = nonsense;\n"), 2, kGoOn);
+      judge.judge(submission("part3_lambertian.cpp",
+                             "int x = nonsense;\n#include <pathmark/coursework.h>\n"
+                             "pathmark::Ray ray(1, 2, 3, 4);\n"),
+                  2, kGoOn);
   const record::PartRecord& part = judged.record.parts.at(0);
   EXPECT_EQ(part.verdict, record::Verdict::kDoesNotCompile);
   EXPECT_NE(part.message.find("part3_lambertian.cpp:1:9"), std::string::npos) << part.message;
-  EXPECT_EQ(part.message.find(folder_.path().string()), std::string::npos) << part.message;
+  EXPECT_NE(part.message.find("framework/include/pathmark/"), std::string::npos) << part.message;
+  for (const std::string& path : {folder_.path().string(), std::string(build::kProjectFolder)})
+    EXPECT_EQ(part.message.find(path + "/"), std::string::npos) << part.message;
   EXPECT_EQ(judged.record.parts.at(1).verdict, record::Verdict::kOk);
 }
 
@@ -199,6 +206,7 @@ TEST_F(JudgeTest, WhatIsNotDoneInTimeIsSaid) {
   Judge judge(options, nullptr);
   const Judged judged = judge.judge(submission(), 1, kGoOn);
   EXPECT_EQ(judged.record.parts.at(0).verdict, record::Verdict::kTimeLimit);
+  EXPECT_TRUE(judged.record.outOfTime);
 }
 
 }  // namespace pathmark::grading

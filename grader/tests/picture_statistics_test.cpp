@@ -1,6 +1,8 @@
 // The statistics of pictures, on noise whose truth is known.
 #include "marking/picture_statistics.h"
 
+#include "marking/pictures.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -158,6 +160,16 @@ TEST(PictureStatistics, PValuesOfNoiseAloneAreFlat) {
   const std::vector<std::uint32_t> shifted =
       pValueHistogram(noisy(1.2, 0.5, 1), noisy(1.0, 0.5, 2));
   EXPECT_GT(shifted.front(), 5 * bins.front());
+}
+
+TEST(InvalidWords, TellTheShareAndTheKinds) {
+  EXPECT_EQ(invalidWords({}, 1000.0), "");
+  EXPECT_EQ(invalidWords({45946, 0, 0, 7}, 294912.0),
+            "16 % of its values are no radiance (45946 NaN)");
+  EXPECT_EQ(invalidWords({0, 1, 2, 7}, 1e6),
+            "0.0003 % of its values are no radiance (1 infinite, 2 negative)");
+  EXPECT_EQ(invalidWords({1000, 0, 0, 0}, 1000.0),
+            "100 % of its values are no radiance (1000 NaN)");
 }
 
 }  // namespace pathmark::marking

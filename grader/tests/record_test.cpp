@@ -39,6 +39,7 @@ SubmissionRecord fullRecord() {
   picture.meanError[2] = {-0.1, -0.2, 0.0};
   picture.efficiency = Estimate{1.0, 0.9, HUGE_VAL};
   picture.pValues = {1, 2, 3};
+  picture.invalid = "16 % of its values are no radiance (45946 NaN)";
   picture.convergence = {{1.0, 4.0}, {0.5, 0.25}, {0.4, 0.2}};
   part.pictures = {picture};
   part.mistakes.push_back({"part3_pi_forgotten",
@@ -59,6 +60,7 @@ SubmissionRecord fullRecord() {
   samples.histograms = {{"cos(theta)", 0.0, 1.0, {0.5, 0.5}, {0.25, 0.75}}};
   r.samples = {samples};
   r.printed = "hello\n";
+  r.outOfTime = true;
   r.seconds = 12.5;
   return r;
 }
@@ -74,9 +76,11 @@ TEST(Record, ComesBackFromItsFileByteForByte) {
   EXPECT_EQ(again.seed, std::uint64_t{1} << 53);
   EXPECT_EQ(again.parts[0].pictures[0].efficiency->high, HUGE_VAL);
   EXPECT_FALSE(again.pictures[0].efficiency);
+  EXPECT_EQ(again.pictures[0].invalid, "16 % of its values are no radiance (45946 NaN)");
   EXPECT_EQ(again.parts[0].mistakes.at(0).picture, "m.png");
   EXPECT_EQ(again.samples[0].yours[0][2], -1.0f);
   EXPECT_EQ(again.refusedScenes, fullRecord().refusedScenes);
+  EXPECT_TRUE(again.outOfTime);
 }
 
 TEST(Record, OfWhatWasLeftOutComesBackWithItsReason) {

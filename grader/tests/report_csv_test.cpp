@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace pathmark {
 
 namespace {
@@ -79,6 +81,29 @@ TEST(MarksCsv, HasARowForEachSubmissionAndAllColumnsInEach) {
   EXPECT_EQ(column(rows, 2, "part 3 out of"), "9");
   EXPECT_EQ(column(rows, 2, "part 4 verdict"), "does not compile");
   EXPECT_EQ(column(rows, 2, "seed"), "4711");
+}
+
+TEST(MarksCsv, EndsWithTheFolderOrArchiveThatWasHandedIn) {
+  test::SampleClass c = test::sampleClass();
+  const std::vector<std::array<std::string, 3>> cases{
+      {"M\u00fcller_Anna", "/class/M\u00fcller, Anna", "M\u00fcller, Anna"},
+      {"Alex_Kim", "/class/Alex Kim", "Alex Kim"},
+      {"Alex_Kim-2", "/class/Alex Kim.tar.gz", "Alex Kim.tar.gz"},
+      {"Jo_12_file_", "/class/Jo_12_file_/student.zip", "Jo_12_file_/student.zip"},
+      {"task-9", "/class/task-9/", "task-9"}};
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    c.records[i].name = cases[i][0], c.records[i].source = cases[i][1];
+  const Rows rows = readCsv(marksCsv(c.graded()));
+  EXPECT_EQ(rows[0].back(), "submission");
+  for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(rows[i + 1].back(), cases[i][2]);
+}
+
+TEST(MarksCsv, SaysNothingTwice) {
+  test::SampleClass c = test::sampleClass();
+  c.records[0].collecting = {"a.cpp was refused.", "b.cpp is missing."};
+  c.marks[0].toReview = {"Look: a.cpp was refused."};
+  const Rows rows = readCsv(marksCsv(c.graded()));
+  EXPECT_EQ(column(rows, 1, "remarks"), "Look: a.cpp was refused. b.cpp is missing.");
 }
 
 TEST(MarksCsv, GivesNoPointsToWhatCouldNotBeGraded) {

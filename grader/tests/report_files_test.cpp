@@ -40,6 +40,13 @@ TEST(Gradescope, PointsAddUp) {
   EXPECT_DOUBLE_EQ(outOf, test::sampleMarks().outOf);
 }
 
+TEST(Gradescope, HasNoDigitsThatRoundingLeft) {
+  rubric::Marks marks = test::sampleMarks();
+  marks.parts[0].lines.push_back({"rounding", -0.20000000000000018, 0.0, "to halves"});
+  EXPECT_NE(gradescopeJson(test::sampleRecord("ben"), marks).find("\"score\": -0.2,"),
+            std::string::npos);
+}
+
 TEST(Gradescope, HasOnlyWordsThatItKnows) {
   const json results = json::parse(gradescopeJson(test::sampleRecord("ben"), test::sampleMarks()));
   const std::set<std::string> top{"score",      "execution_time",    "output", "output_format",

@@ -1,6 +1,7 @@
 // report.html of submissions and classes: complete, in need of nothing, and safe.
 
 #include "report/class_html.h"
+#include "report/record_words.h"
 #include "report/submission_html.h"
 #include "report/svg_samples.h"
 #include "support/hostile.h"
@@ -111,6 +112,7 @@ TEST(SubmissionHtml, TellsEverythingThatIsKnown) {
                             "g++ 12.2.0",
                             "9d20b7f31c6e4a58",
                             "./pathmark grade submissions/ben.zip --seed 4711",
+                            "functions that were looked at are right",
                             "13 below the horizon"})
     EXPECT_NE(html.find(words), std::string::npos) << words;
   // Three pictures of parts 2 and 5 and of the whole, and one of the scene.
@@ -166,8 +168,9 @@ TEST(SubmissionHtml, SaysSoWhereAFileIsMissingOrNoPicture) {
 }
 
 // Of part 5, whose picture in the sample record is 16 % off.
-std::string htmlWithMistake(double bias, double apart) {
+std::string htmlWithMistake(double bias, double apart, const std::string& invalid = {}) {
   record::SubmissionRecord record = test::sampleRecord("ben");
+  record.parts.at(5).pictures.at(0).invalid = invalid;
   record.parts.at(5).mistakes.push_back({"part5_cosine_missing",
                                          "the cosine is missing in the throughput",
                                          "cornell_box",
@@ -200,6 +203,41 @@ TEST(SubmissionHtml, ShowsNoPicturesOfAMistakeThatCannotBeSeen) {
   const std::string html = htmlWithMistake(0.004, 0.001);
   EXPECT_NE(html.find("It hardly shows in the picture"), std::string::npos);
   EXPECT_EQ(numberOf(html, "<img "), 10u);
+}
+
+TEST(SubmissionHtml, ShowsAPictureWithInvalidValuesAndTheirShare) {
+  const std::string words = "16 % of its values are no radiance (45946 NaN)";
+  const std::string html = htmlWithMistake(0.004, 0.001, words);
+  expectSafe(html);
+  EXPECT_EQ(html.find("It hardly shows in the picture"), std::string::npos);
+  EXPECT_NE(html.find("It shows in your picture: " + words + "."), std::string::npos);
+  EXPECT_NE(html.find(words + ". These are left out"), std::string::npos);
+  EXPECT_EQ(numberOf(html, "<img "), 13u) << "the mistake's pictures too";
+}
+
+TEST(SubmissionHtml, TellsTheWholeCommandThatGivesTheSameMarks) {
+  record::SubmissionRecord record = test::sampleRecord("ben");
+  rubric::Marks marks = test::sampleMarks();
+  marks.rubric = "my rubric.json";
+  const auto has = [&](const std::string& command) {
+    return submissionHtml(record, marks, test::samplePicture)
+               .find("<code>./pathmark grade submissions/ben.zip " + command + "</code>") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(has("--seed 4711 --rubric &#39;my rubric.json&#39;"));
+  record.parts = {record.parts.at(3)};
+  record.pictures.clear();
+  marks.rubric.clear();
+  EXPECT_TRUE(has("--only part3 --seed 4711"));
+}
+
+TEST(SubmissionHtml, HasAVerdictOnScenesThatAreMissing) {
+  record::SubmissionRecord record = test::sampleRecord("ben");
+  record.scenes.clear();
+  EXPECT_EQ(report::verdictOfPart(record, report::kScenesPart), record::Verdict::kNotWritten);
+  // Of one part alone nobody looks for scenes.
+  record.pictures.clear();
+  EXPECT_EQ(report::verdictOfPart(record, report::kScenesPart), std::nullopt);
 }
 
 TEST(SubmissionHtml, SaysThatAnInternalErrorIsNoFaultOfTheSubmission) {
@@ -266,6 +304,17 @@ TEST(ClassHtml, PutsFirstWhatAPersonShouldLookAt) {
     EXPECT_NE(html.find(words), std::string::npos) << words;
     EXPECT_LT(html.find(words), html.find("<h2>Submissions</h2>"));
   }
+}
+
+TEST(ClassHtml, SaysWhatWasHandedInWhereItIsNotTheName) {
+  test::SampleClass c = test::sampleClass();
+  c.records[0].name = "M\u00fcller_Anna";
+  c.records[0].source = "/class/M\u00fcller, Anna";
+  c.records[1].name = "alex";
+  c.records[1].source = "/class/alex";
+  const std::string html = classHtml(c.graded());
+  EXPECT_NE(html.find("M\u00fcller_Anna<small>M\u00fcller, Anna</small>"), std::string::npos);
+  EXPECT_EQ(html.find("<small>alex</small>"), std::string::npos);
 }
 
 TEST(ClassHtml, HasARowWithoutMarksForWhatWasLeftOut) {

@@ -137,6 +137,16 @@ TEST(ClassTable, SpeaksOfSeveralPartsInThePlural) {
   EXPECT_NE(classTable(c.graded(), false).find("parts 3 and 4 do not compile"), std::string::npos);
 }
 
+TEST(ClassTable, TellsAMissingFileFromAStub) {
+  test::SampleClass c = test::sampleClass();
+  for (const std::size_t place : {1u, 2u})
+    c.records[0].parts.at(place).verdict = record::Verdict::kNotWritten;
+  c.records[0].parts.at(2).functions.clear();
+  const std::string table = classTable(c.graded(), false);
+  EXPECT_NE(table.find("part 1 not written"), std::string::npos) << table;
+  EXPECT_NE(table.find("part 2 missing"), std::string::npos) << table;
+}
+
 TEST(ClassTable, HasColourOnlyIfAsked) {
   test::SampleClass c = test::sampleClass();
   for (record::SubmissionRecord& record : c.records) record = test::withHostileTexts(record);

@@ -185,10 +185,11 @@ ProcessResult kitCommand(std::vector<std::string> arguments) {
 
 TEST(KitCommand, SaysWhatItDid) {
   const TemporaryFolder folder;
-  const std::string kit = (folder / "kit").string();
+  const std::string kit = (folder / "kit 4").string();
   const ProcessResult result = kitCommand({kit, "--release-through", "2"});
   expectSays(result, 0, "Parts 0 to 2 are solved, the others are stubs.");
   expectSays(result, 0, "hidden files is among their");
+  expectSays(result, 0, "cd '" + kit + "' && ./pathmark demo");
   expectSays(kitCommand({kit}), 2, "is not empty; a kit is written to a new folder");
 }
 

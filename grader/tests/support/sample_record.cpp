@@ -241,6 +241,9 @@ SubmissionRecord recordOf(const std::string& name, bool allRight) {
   record.samples = samples();
   record.pictures.push_back(picture("cornell_box", "whole_cornell_box", allRight ? 0.0003 : 0.08));
   record.seconds = 41.3;
+  record.scenes.push_back({"scenes/my_scene.json", "Caustics below a glass of water", Verdict::kOk,
+                           "", "most of the noise is in the caustic, at the lower left",
+                           "pictures/scene_yours.png"});
   if (allRight) return record;
   record.collecting = {"part4_phong.cpp.bak was left out: it is no file of the coursework.",
                        "scenes/../../.bashrc was refused: its path leads out of the submission."};
@@ -248,9 +251,6 @@ SubmissionRecord recordOf(const std::string& name, bool allRight) {
                    passed("images/tiles", "so are the means of its tiles", 0.02)};
   record.images[1].verdict = Verdict::kBlocked;
   record.images[1].cause = "3.3 lambertianBRDF::reflection, which is wrong";
-  record.scenes.push_back({"scenes/my_scene.json", "Caustics below a glass of water", Verdict::kOk,
-                           "", "most of the noise is in the caustic, at the lower left",
-                           "pictures/scene_yours.png"});
   record.pictures.push_back({});
   record.pictures.back().scene = "a room that was made for marking";
   record.pictures.back().failure = "part5_path.cpp gave no answer for 10 s.";
