@@ -115,7 +115,9 @@ ImageFile noisyBlocks(int width, int height, int replicates, Uniforms& random) {
       for (int row = top; row < top + kBlock; ++row)
         for (int column = left; column < left + kBlock; ++column)
           for (int c = 0; c < 3; ++c) {
-            const auto at = static_cast<std::size_t>(3 * (row * width + column) + c);
+            const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(column);
+            const std::size_t at = 3 * pixel + static_cast<std::size_t>(c);
             const double expected = uneven(column, row);
             file.image.rgb[at] = static_cast<float>(expected * (1.0 + noise.mean()));
             file.image.variance[at] =

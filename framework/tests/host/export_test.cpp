@@ -246,7 +246,7 @@ TEST(ExportPly, HoldsTheMesh) {
   const std::string ply = plyText(mesh);
   const std::string end = "end_header\n";
   const std::size_t body = ply.find(end) + end.size();
-  ASSERT_EQ(ply.size() - body, 3 * 3 * sizeof(float) + 1 + 3 * sizeof(std::int32_t));
+  ASSERT_EQ(ply.size() - body, std::size_t{9} * sizeof(float) + 1 + 3 * sizeof(std::int32_t));
   float y = 0.0f;
   std::memcpy(&y, ply.data() + body + 7 * sizeof(float), sizeof y);
   EXPECT_EQ(y, 2.5f);
