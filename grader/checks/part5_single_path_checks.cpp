@@ -118,7 +118,7 @@ Finding litSurfaceWithoutBounces(CheckRun& run) {
 }  // namespace
 
 Finding emissionIsSeen(CheckRun& run) {
-  const Finding lamp = lampAlone(run);
+  Finding lamp = lampAlone(run);
   if (!lamp.passed()) return lamp;
   Finding surface = litSurfaceWithoutBounces(run);
   surface.calls += lamp.calls;

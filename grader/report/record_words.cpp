@@ -116,6 +116,7 @@ std::vector<std::string> whatIsWrong(const SubmissionRecord& record) {
     else
       groups.emplace_back(words, std::vector<int>{part});
   }
+  sentences.reserve(sentences.size() + groups.size());
   for (const auto& [words, parts] : groups)
     sentences.push_back(
         fmt::format("{} {}", partNames(parts), parts.size() > 1 ? ofSeveral(words) : words));

@@ -183,6 +183,7 @@ std::vector<MarkLine> markPart(const record::SubmissionRecord& record,
     sum += functions.back().second;
   }
   std::vector<MarkLine> lines;
+  lines.reserve(functions.size() + 1);
   for (const auto& [function, weight] : functions)
     lines.push_back(
         marker.markFunction(*function, (worth.points - worth.efficiency) * weight / sum));

@@ -14,7 +14,6 @@ namespace pathmark::rubric {
 namespace {
 
 using record::SubmissionRecord;
-using record::Verdict;
 
 const record::PartRecord* find(const SubmissionRecord& record, int part) {
   const auto found = std::find_if(record.parts.begin(), record.parts.end(),

@@ -115,6 +115,7 @@ TEST_F(FrontDoorBuild, SaysNothingOfMinutesWhereLittleHasChanged) {
 }
 
 TEST_F(FrontDoorBuild, LintFailsIfAToolOfClangsFindsSomething) {
+  setSteps(3);
   std::filesystem::create_directory(folder_ / "solutions");
   for (const char* name : {"good.cpp", "untidy.cpp", "crooked.h"}) std::ofstream(folder_ / name);
   write("clang-format", "case \"$*\" in *crooked*) echo crooked; exit 1 ;; esac");
