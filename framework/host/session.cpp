@@ -199,9 +199,7 @@ RenderOutcome renderScene(const Coursework& coursework, const LoadedScene& scene
   return outcome;
 }
 
-std::string invalidSentence(const RenderedImage& image, Estimator estimator) {
-  const InvalidPixels& invalid = image.invalid;
-  if (invalid.count() == 0) return {};
+std::string invalidKinds(const InvalidPixels& invalid) {
   std::vector<std::string> kinds;
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count > 0) kinds.push_back(fmt::format("{} {}", count, what));
@@ -209,6 +207,12 @@ std::string invalidSentence(const RenderedImage& image, Estimator estimator) {
   add(invalid.nan, "NaN");
   add(invalid.infinite, "infinite");
   add(invalid.negative, "negative");
+  return fmt::format("{}", fmt::join(kinds, ", "));
+}
+
+std::string invalidSentence(const RenderedImage& image, Estimator estimator) {
+  const InvalidPixels& invalid = image.invalid;
+  if (invalid.count() == 0) return {};
   const auto width = static_cast<std::uint64_t>(image.image.width);
   const char* const who = estimator == Estimator::kWarmUp ? "get_ray_radiance"
                           : estimator == Estimator::kMis  ? "tracePathMIS"
@@ -217,7 +221,7 @@ std::string invalidSentence(const RenderedImage& image, Estimator estimator) {
   return fmt::format(
       "{} returned {} values, first in pixel column {}, row {}: a radiance is finite and not "
       "negative. They are left out of the picture; pixels that have no other value are magenta.",
-      who, fmt::join(kinds, ", "), invalid.firstPixel % width, invalid.firstPixel / width);
+      who, invalidKinds(invalid), invalid.firstPixel % width, invalid.firstPixel / width);
 }
 
 std::string listOfNames(std::span<const FunctionContract> functions) {

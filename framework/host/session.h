@@ -117,6 +117,9 @@ WorkerProcess::Options workerOptions(const Coursework& coursework, const RenderO
 // A line or two about what a picture lacks; empty if nothing.
 std::string unwrittenNote(const LoadedScene& scene, Estimator estimator, const StubReport& stubs);
 
+// "12 NaN, 3 negative".
+std::string invalidKinds(const InvalidPixels& invalid);
+
 // A sentence about values that are no radiance; empty if there are none.
 std::string invalidSentence(const RenderedImage& image, Estimator estimator);
 

@@ -4,10 +4,10 @@
 #include "film/signed_picture.h"
 #include "film/usable_pixels.h"
 #include "host/render_loop.h"
+#include "host/session.h"
 #include "sampling/mix.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -83,18 +83,11 @@ void drawDifference(Compared& compared, const Image& yours, const Image& referen
 
 std::string invalidWords(const InvalidPixels& invalid, double values) {
   if (invalid.count() == 0) return {};
-  std::vector<std::string> kinds;
-  const auto add = [&](std::uint64_t count, const char* what) {
-    if (count > 0) kinds.push_back(fmt::format("{} {}", count, what));
-  };
-  add(invalid.nan, "NaN");
-  add(invalid.infinite, "infinite");
-  add(invalid.negative, "negative");
   const double percent = 100.0 * static_cast<double>(invalid.count()) / values;
   return fmt::format(
       "{} % of its values are no radiance ({})",
       percent < 9.95 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent),
-      fmt::join(kinds, ", "));
+      invalidKinds(invalid));
 }
 
 Measured renderMeasured(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed,
