@@ -2,6 +2,7 @@
 
 #include "bench/fan_loop.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,6 +40,14 @@ std::vector<double> RaySubject::rawRates(std::span<const std::size_t> numbers,
   for (const std::size_t count : numbers)
     loops.push_back(independentLoop(*raw_, set_, count, false));
   return alternate(loops, seconds);
+}
+
+double RaySubject::hitShare() const {
+  const auto met = std::count_if(set_.rays.begin(), set_.rays.end(), [&](const Ray& ray) {
+    PrimitiveHit hit;
+    return flat_ ? flat_->closest(ray, hit) : raw_->closest(ray, hit);
+  });
+  return static_cast<double>(met) / static_cast<double>(set_.rays.size());
 }
 
 FanRates RaySubject::fanRates(double seconds) const {

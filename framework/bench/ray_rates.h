@@ -51,6 +51,9 @@ class RaySubject {
   // Raw Embree's rate with each number of independent rays over and over, in turns.
   std::vector<double> rawRates(std::span<const std::size_t> numbers, double seconds) const;
 
+  // The share of the independent rays that meet something. A ray that meets nothing costs little.
+  double hitShare() const;
+
   // The flat loop's.
   FanRates fanRates(double seconds) const;
 
