@@ -1,6 +1,7 @@
 // pathmark grade: from what a class has handed in to marks with reasons.
 #include "commands/commands.h"
 #include "commands/grade.h"
+#include "film/atomic_file.h"
 #include "grading/class_folder.h"
 #include "grading/class_run.h"
 #include "grading/write_reports.h"
@@ -22,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -133,13 +136,44 @@ class Screen {
   bool internalError_ = false;
 };
 
-rubric::Rubric readRubricFor(const GradeArguments& arguments) {
+constexpr const char* kDefaultRubric = "default";
+
+// The rubric that the class was marked by before, where it was another than the project's own.
+fs::path keptRubric(const fs::path& out) { return out / "rubric.json"; }
+
+fs::path rubricFor(const GradeArguments& arguments, const fs::path& out) {
+  if (arguments.rubric == kDefaultRubric) return rubric::defaultRubric();
+  if (!arguments.rubric.empty()) return arguments.rubric;
+  return fs::exists(keptRubric(out)) ? keptRubric(out) : rubric::defaultRubric();
+}
+
+rubric::Rubric readRubric(const fs::path& file) {
   try {
-    return rubric::readRubric(arguments.rubric.empty() ? rubric::defaultRubric()
-                                                       : fs::path(arguments.rubric));
+    return rubric::readRubric(file);
   } catch (const rubric::RubricError& e) {
     throw UsageError(e.what());
   }
+}
+
+// Later runs, with late submissions, mark by it too.
+void keepRubric(const fs::path& file, const fs::path& out) {
+  std::error_code none;
+  if (fs::equivalent(file, keptRubric(out), none)) return;
+  if (fs::equivalent(file, rubric::defaultRubric(), none)) {
+    fs::remove(keptRubric(out));
+    return;
+  }
+  std::ifstream in(file, std::ios::binary);
+  writeFileAtomically(keptRubric(out), std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+std::vector<std::string> notGradedYet(const std::vector<submission::Submission>& submissions,
+                                      const grading::ClassFolder& folder) {
+  std::vector<std::string> names;
+  if (!interrupted()) return names;
+  for (const submission::Submission& one : submissions)
+    if (!fs::exists(folder.folderOf(one.name) / "record.json")) names.push_back(one.name);
+  return names;
 }
 
 std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
@@ -160,9 +194,9 @@ std::shared_ptr<Confinement> openSandboxFor(const GradeArguments& arguments) {
 }  // namespace
 
 int grade(const GradeArguments& arguments) {
-  const rubric::Rubric rubric = readRubricFor(arguments);
   const grading::RunAsked asked = runAsked(arguments);
-  const fs::path out = outOf(arguments, asked);
+  const fs::path out = outOf(arguments, asked), rubricFile = rubricFor(arguments, out);
+  const rubric::Rubric rubric = readRubric(rubricFile);
   const submission::FoundSubmissions found = findAll(arguments, out);
   const std::vector<submission::Submission>& submissions = found.submissions;
   if (submissions.empty() && !fs::exists(out / "run.json"))
@@ -171,6 +205,7 @@ int grade(const GradeArguments& arguments) {
         "such.");
   const auto sandbox = submissions.empty() ? nullptr : openSandboxFor(arguments);
   const grading::ClassFolder folder(out, asked);
+  keepRubric(rubricFile, out);
 
   int code = kSuccess;
   if (!submissions.empty()) {
@@ -185,10 +220,14 @@ int grade(const GradeArguments& arguments) {
     screen.clear();
     if (screen.anyInternalError()) code = kMachineFault;
   }
-  const grading::ClassReports reports = grading::writeReports(folder, rubric);
+  const grading::ClassReports reports =
+      grading::writeReports(folder, rubric, notGradedYet(submissions, folder));
   fmt::print("{}", reports.table(isatty(STDOUT_FILENO) == 1));
   fmt::print("\nReports: {}; marks: {}; seed {}\n", displayPath(folder.path() / "report.html"),
              displayPath(folder.path() / "marks.csv"), folder.seed());
+  if (fs::exists(keptRubric(out)))
+    fmt::print("Marked by {}; --rubric default takes the project's own again.\n",
+               displayPath(keptRubric(out)));
   for (const std::string& name : reports.unreadable())
     fmt::print(stderr,
                "{}: this record is damaged, so that there are no marks; grade the submission "
@@ -225,7 +264,9 @@ void addGradeCommand(CLI::App& app, CommandAction& action) {
                    1, 1024);
   command
       ->add_option("--rubric", arguments->rubric,
-                   "Points and bands (grader/rubric/rubric.json); records are marked anew")
+                   "Points and bands (grader/rubric/rubric.json); records are marked anew, and "
+                   "the folder keeps a copy, by which later runs mark: default takes the "
+                   "project's own again")
       ->type_name("FILE");
   command->add_option("--only", arguments->only, "Only this part, without pictures of the whole")
       ->type_name("PART");

@@ -47,7 +47,7 @@ Json rightValues(const KnownSignature& right) {
   return all;
 }
 
-KnownSignature readMistake(const Json& json, const KnownSignature& right) {
+KnownSignature readKnown(const Json& json, const KnownSignature& right) {
   KnownSignature known{json.at("mistake"), json.at("what"), right.values, right.errors};
   for (const Json& difference : json.at("differs")) {
     const std::size_t k = difference.at(0);
@@ -55,6 +55,10 @@ KnownSignature readMistake(const Json& json, const KnownSignature& right) {
     known.errors.at(k) = number(difference.at(2));
   }
   return known;
+}
+
+Json knownAsJson(const KnownSignature& known, const KnownSignature& right) {
+  return {{"mistake", known.mistake}, {"what", known.what}, {"differs", differences(known, right)}};
 }
 
 FunctionCatalogue readFunction(const Json& json) {
@@ -72,8 +76,9 @@ FunctionCatalogue readFunction(const Json& json) {
     result.right.values.push_back(number(feature.at(0)));
     result.right.errors.push_back(number(feature.at(1)));
   }
+  if (json.contains("stub")) result.stub = readKnown(json.at("stub"), result.right);
   for (const Json& mistake : json.at("mistakes"))
-    result.mistakes.push_back(readMistake(mistake, result.right));
+    result.mistakes.push_back(readKnown(mistake, result.right));
   return result;
 }
 
@@ -127,13 +132,11 @@ void writeCatalogue(const Catalogue& catalogue, const fs::path& file) {
     text +=
         fmt::format("{}{{\"function\": \"{}\", \"features\": \"{}\",\n\"right\": {},\n", between,
                     contractOf(f.function).name, f.features, rightValues(f.right).dump());
+    if (f.stub) text += fmt::format("\"stub\": {},\n", knownAsJson(*f.stub, f.right).dump());
     text += "\"mistakes\": [";
     const char* betweenMistakes = "\n";
     for (const KnownSignature& known : f.mistakes) {
-      const Json json{{"mistake", known.mistake},
-                      {"what", known.what},
-                      {"differs", differences(known, f.right)}};
-      text += betweenMistakes + json.dump();
+      text += betweenMistakes + knownAsJson(known, f.right).dump();
       betweenMistakes = ",\n";
     }
     text += "]}";

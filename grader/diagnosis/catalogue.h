@@ -12,6 +12,7 @@
 #include "worker/contract.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct FunctionCatalogue {
   std::string features;  // hash of their words: another probe makes others
   KnownSignature right;
   std::vector<KnownSignature> mistakes;  // that can be seen in this function
+  std::optional<KnownSignature> stub{};  // of the shipped stub without its marker
 };
 
 struct Catalogue {

@@ -1,11 +1,14 @@
 // Which known mistake a wrong function makes.
 //
 //   Diagnosis      the mistake that is named, or none, with the evidence
+//   kStub          the name of the mistake to hand in a stub as it is, but for its marker
 #pragma once
 
 #include <string>
 
 namespace pathmark::diagnosis {
+
+inline constexpr char kStub[] = "stub";
 
 // Nothing is named where nothing matches clearly: a wrong name is worse than none.
 struct Diagnosis {

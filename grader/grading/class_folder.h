@@ -1,6 +1,7 @@
 // ClassFolder: the folder that a class is graded into, and what earlier runs have left there.
 //
 //   DIR/run.json                       the seed and what was asked for
+//   DIR/rubric.json                    by what it was marked, if not by the project's own
 //   DIR/submissions/NAME/record.json   one record, with pictures/ and reports beside it
 //   DIR/.work                          what is under way
 //

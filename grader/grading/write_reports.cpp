@@ -26,13 +26,23 @@ std::vector<report::Graded> gradedOf(const std::vector<record::SubmissionRecord>
   return graded;
 }
 
+record::SubmissionRecord withoutMarks(const std::string& name, std::uint64_t seed,
+                                      const char* reason) {
+  record::SubmissionRecord record;
+  record.name = name;
+  record.seed = seed;
+  record.leftOut = reason;
+  return record;
+}
+
 }  // namespace
 
 std::string ClassReports::table(bool colour) const {
   return report::classTable(gradedOf(records_, marks_, nullptr), colour);
 }
 
-ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubric) {
+ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubric,
+                          const std::vector<std::string>& notYet) {
   std::vector<record::SubmissionRecord> records;
   std::vector<rubric::Marks> marks;
   std::vector<std::string> unreadable;
@@ -40,17 +50,20 @@ ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubri
     auto record = folder.find(name);
     if (!record) {
       unreadable.push_back(name);
-      record.emplace();
-      record->name = name;
-      record->seed = folder.seed();
-      record->leftOut = "Its record is damaged, or of another version: grade it again.";
+      record = withoutMarks(name, folder.seed(),
+                            "Its record is damaged, or of another version: grade it again.");
     }
-    marks.push_back(rubric::markSubmission(*record, rubric));
     records.push_back(std::move(*record));
   }
+  for (const std::string& name : notYet)
+    records.push_back(withoutMarks(name, folder.seed(),
+                                   "The run was interrupted before it: the same command goes on."));
+  for (const record::SubmissionRecord& record : records)
+    marks.push_back(rubric::markSubmission(record, rubric));
   const std::vector<report::Graded> graded = gradedOf(records, marks, &folder);
   for (const report::Graded& g : graded) {
     const std::filesystem::path place = folder.folderOf(g.record->name);
+    std::filesystem::create_directories(place);
     writeFileAtomically(place / "report.html",
                         report::submissionHtml(*g.record, *g.marks, g.pictures));
     writeFileAtomically(place / "results.json", report::gradescopeJson(*g.record, *g.marks));

@@ -35,7 +35,9 @@ class ClassReports {
 };
 
 // Beside each record report.html, results.json and junit.xml; for the class report.html, marks.csv
-// and junit.xml. Throws ImageError where a file cannot be written.
-ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubric);
+// and junit.xml. Those that are `notYet` graded have rows without marks. Throws ImageError where a
+// file cannot be written.
+ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubric,
+                          const std::vector<std::string>& notYet);
 
 }  // namespace pathmark::grading

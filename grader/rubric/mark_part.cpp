@@ -1,5 +1,6 @@
 #include "rubric/mark_part.h"
 
+#include "diagnosis/diagnosis.h"
 #include "rubric/consequence.h"
 #include "rubric/lost_file.h"
 #include "rubric/verdict_credit.h"
@@ -112,7 +113,10 @@ MarkLine PartMarker::markFunction(const FunctionContract& contract, double outOf
   const FunctionRecord function = recordOf(part, contract);
   MarkLine line{fmt::format("{} {}", contract.section, contract.name), 0.0, outOf, {}};
   reviewVerdict(function.verdict, line.what, toReview);
-  if (const std::optional<VerdictCredit> known = creditOf(function.verdict, rubric)) {
+  if (function.mistake == diagnosis::kStub) {
+    line.reason = sentence(creditOf(Verdict::kNotWritten, rubric)->reason +
+                           ": it answers as the empty stub does");
+  } else if (const std::optional<VerdictCredit> known = creditOf(function.verdict, rubric)) {
     line.points = known->credit * outOf;
     line.reason = part.hasFile() ? sentence(known->reason) : whyThereIsNoFile();
   } else if (function.verdict == Verdict::kBlocked) {

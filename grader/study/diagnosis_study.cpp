@@ -225,6 +225,19 @@ std::vector<NamedCase> nameCases(const std::vector<MistakenCase>& cases,
   return result;
 }
 
+// The shipped stubs as they are handed in by who deletes their markers and writes nothing.
+CourseworkBuild unmarkedStubs() {
+  const fs::path folder = scratchFolder() / "stubs";
+  fs::create_directories(folder);
+  for (const PartContract& part : parts()) {
+    std::ifstream in(courseworkFolder("student") / part.file);
+    std::ofstream out(folder / part.file);
+    for (std::string line; std::getline(in, line);)
+      if (line.find("PATHMARK_UNIMPLEMENTED(") == std::string::npos) out << line << '\n';
+  }
+  return buildCoursework(folder, Incomplete::kCompileOnly);
+}
+
 struct Counts {
   std::size_t all = 0, right = 0, wrong = 0, nothing = 0;
 
@@ -295,13 +308,20 @@ diagnosis::Catalogue makeCatalogue(const std::vector<Variant>& variants, unsigne
     const int part = cases[i].part();
     all[i] = probeAll(made->build, part, functionsOf(part), ProbeSeed::kCatalogue);
   });
+  const CourseworkBuild stubs = unmarkedStubs();
   diagnosis::Catalogue catalogue{catalogueStamp(), {}};
   for (const PartContract& part : parts()) {
     const Signatures rights =
         probeAll(others, part.part, functionsOf(part.part), ProbeSeed::kCatalogue);
+    const Signatures ofStubs =
+        probeAll(stubs, part.part, functionsOf(part.part), ProbeSeed::kCatalogue);
     for (const auto& [function, right] : rights) {
       diagnosis::FunctionCatalogue f{
           function, hashOf(right), diagnosis::knownSignature("", "", right), {}};
+      if (const auto stub = ofStubs.find(function); stub != ofStubs.end())
+        f.stub = diagnosis::knownSignature(diagnosis::kStub,
+                                           "nothing is written: it answers as the empty stub does",
+                                           stub->second);
       for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto found = all[i].find(function);
         if (found == all[i].end()) continue;

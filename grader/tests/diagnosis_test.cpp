@@ -66,6 +66,15 @@ TEST(Diagnosis, NamesNothingWhereOneFeatureDisagrees) {
   EXPECT_EQ(diagnose(signatureOf({0.6, 0.25, 0.95}), kTwo).mistake, "");
 }
 
+TEST(Diagnosis, NamesTheStubWhateverElseAnswersLikeIt) {
+  FunctionCatalogue withStub = kTwo;
+  withStub.stub = known(kStub, {0.6, 0.25, 0.9});
+  EXPECT_EQ(diagnose(signatureOf({0.6, 0.25, 0.9}), withStub).mistake, kStub);
+  EXPECT_EQ(diagnose(signatureOf({0.4, 0.25, 1.0}), withStub).mistake, "small");
+  withStub.stub = known(kStub, {0.5, 0.25, 1.0});
+  EXPECT_EQ(diagnose(signatureOf({0.5, 0.25, 1.0}), withStub).mistake, "") << "it is right";
+}
+
 TEST(Diagnosis, NamesNothingWhereTheFunctionMayBeRight) {
   EXPECT_EQ(diagnose(signatureOf({0.5, 0.25, 1.0}), kTwo).mistake, "");
   const FunctionCatalogue slight = catalogueOf({known("slight", {0.5 + 5 * kError, 0.25, 1.0})});
@@ -131,6 +140,7 @@ TEST(Diagnosis, AMeanOverReplicatesHasItsStandardError) {
 TEST(Catalogue, IsReadAsItWasWritten) {
   Catalogue catalogue{"a stamp", {kTwo}};
   catalogue.functions[0].mistakes.push_back(known("no number", {kNan, 0.25, 1.0}));
+  catalogue.functions[0].stub = known(kStub, {0.0, 0.25, kNan});
   const auto file = std::filesystem::temp_directory_path() / "pathmark_catalogue_test.json";
   writeCatalogue(catalogue, file);
   const Catalogue read = readCatalogue(file);
@@ -146,6 +156,10 @@ TEST(Catalogue, IsReadAsItWasWritten) {
   EXPECT_EQ(f->mistakes[1].values, kTwo.mistakes[1].values);
   EXPECT_EQ(f->mistakes[1].errors, kTwo.mistakes[1].errors);
   EXPECT_TRUE(std::isnan(f->mistakes[2].values[0]));
+  ASSERT_TRUE(f->stub.has_value());
+  EXPECT_EQ(f->stub->mistake, kStub);
+  EXPECT_EQ(f->stub->values[0], 0.0);
+  EXPECT_TRUE(std::isnan(f->stub->values[2]));
   EXPECT_EQ(read.find(CourseworkFunction::kPhongPdf), nullptr);
 }
 
@@ -163,8 +177,15 @@ TEST(Catalogue, ADamagedFileIsRefusedWithASentence) {
   std::filesystem::remove(file);
 }
 
-TEST(Catalogue, OfThisProjectKnowsMistakesInEveryPart) {
+TEST(Catalogue, OfThisProjectKnowsMistakesInEveryPartAndEachStub) {
   const Catalogue catalogue = readCatalogue(catalogueFile());
+  for (const FunctionContract& f : contract()) {
+    if (isBonus(f)) continue;
+    const FunctionCatalogue* known = catalogue.find(f.function);
+    ASSERT_NE(known, nullptr) << f.name;
+    ASSERT_TRUE(known->stub.has_value()) << f.name;
+    EXPECT_FALSE(looksLike(*known->stub, known->right)) << f.name;
+  }
   std::vector<std::size_t> mistakes(parts().size(), 0);
   for (const FunctionCatalogue& f : catalogue.functions)
     mistakes[placeOfPart(contractOf(f.function).part)] += f.mistakes.size();

@@ -3,6 +3,7 @@
 #include "support/coursework_copy.h"
 #include "support/run_command.h"
 #include "support/test_coursework_files.h"
+#include "worker/contract.h"
 
 #include <nlohmann/json.hpp>
 
@@ -81,6 +82,26 @@ TEST_F(GradeCommand, MarksAClassAndWritesItsReports) {
   EXPECT_FALSE(fs::exists(out() / ".work"));
 }
 
+TEST_F(GradeCommand, StubsWithoutTheirMarkersEarnNothing) {
+  const fs::path stubs = classFolder() / "nothing";
+  fs::create_directories(stubs);
+  for (const PartContract& part : parts()) {
+    std::ifstream in(kRoot / "student" / part.file);
+    std::ofstream out(stubs / part.file);
+    for (std::string line; std::getline(in, line);)
+      if (line.find("PATHMARK_UNIMPLEMENTED(") == std::string::npos) out << line << '\n';
+  }
+  const ProcessResult result =
+      run({PATHMARK_PROGRAM, "grade", quoted(classFolder()), "--out", quoted(out())}, kRoot);
+  EXPECT_EQ(result.exitCode, 0) << result.output;
+  const std::string row = rowOf(textOf(out() / "marks.csv"), "nothing");
+  EXPECT_TRUE(row.starts_with("nothing,0,100,")) << row;
+  for (const Json& part : record("nothing")["parts"]) {
+    if (partNumbered(part["part"]).bonus) continue;
+    for (const Json& f : part["functions"]) EXPECT_EQ(f["mistake"], "stub") << f["name"];
+  }
+}
+
 TEST_F(GradeCommand, GradesNothingTwice) {
   add("right");
   ASSERT_EQ(grade().exitCode, 0);
@@ -133,8 +154,12 @@ TEST_F(GradeCommand, CtrlCKeepsWhatIsDone) {
   program.signal(SIGINT);
   EXPECT_EQ(program.wait(), 130);
   EXPECT_NE(textOf(folder_ / "log").find("goes on from here"), std::string::npos);
-  EXPECT_TRUE(fs::exists(out() / "marks.csv"));
   EXPECT_FALSE(fs::exists(recordOf("d")));
+  const std::string row = rowOf(textOf(out() / "marks.csv"), "d");
+  EXPECT_TRUE(row.starts_with("d,,")) << row;
+  EXPECT_NE(row.find("The run was interrupted before it"), std::string::npos) << row;
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_FALSE(rowOf(textOf(out() / "marks.csv"), "d").starts_with("d,,"));
 }
 
 TEST_F(GradeCommand, JobsChangeNoMark) {
@@ -165,6 +190,30 @@ TEST_F(GradeCommand, ANewRubricMarksRecordsAnewWithoutRunningThem) {
   const std::string row = rowOf(textOf(out() / "marks.csv"), "right");
   EXPECT_TRUE(row.starts_with("right,55,55,")) << row;
   EXPECT_FALSE(rowOf(csv, "right").starts_with("right,55,")) << csv;
+}
+
+TEST_F(GradeCommand, LaterRunsMarkByTheRubricOfTheFolder) {
+  add("right");
+  const fs::path rubric = folder_ / "mine.json";
+  std::ofstream(rubric) << R"({"parts": {"6": {"points": 55}}})";
+  ASSERT_EQ(grade({"--rubric", quoted(rubric)}).exitCode, 0);
+  fs::remove(rubric);
+  add("late");
+  const ProcessResult later = grade();
+  EXPECT_EQ(later.exitCode, 0) << later.output;
+  EXPECT_NE(later.output.find("--rubric default takes the project's own again"), std::string::npos)
+      << later.output;
+  for (const std::string name : {"right", "late"})
+    EXPECT_TRUE(rowOf(textOf(out() / "marks.csv"), name).starts_with(name + ",55,55,")) << name;
+
+  std::ofstream(out() / "rubric.json") << "{";
+  const ProcessResult damaged = grade();
+  EXPECT_EQ(damaged.exitCode, 2) << damaged.output;
+  EXPECT_NE(damaged.output.find("grades/rubric.json"), std::string::npos) << damaged.output;
+
+  ASSERT_EQ(grade({"--rubric", "default"}).exitCode, 0);
+  EXPECT_FALSE(fs::exists(out() / "rubric.json"));
+  EXPECT_TRUE(rowOf(textOf(out() / "marks.csv"), "late").starts_with("late,6,6,"));
 }
 
 TEST_F(GradeCommand, GradesAgainWhatHasADamagedRecord) {

@@ -1,4 +1,5 @@
 // Marks from records that are made up here: verdicts, prices, sums.
+#include "diagnosis/diagnosis.h"
 #include "support/made_record.h"
 
 #include <cmath>
@@ -64,6 +65,17 @@ TEST_F(Marking, EachVerdictIsWorthWhatTheRubricSays) {
     expectReason(marks, "3.3", reason);
     EXPECT_EQ(lineOf(marks, "3.3").reason.empty(), credit == 1.0);
   }
+}
+
+// Where every picture hides it: a roulette that never ends a path is unbiased.
+TEST_F(Marking, WhatAnswersAsTheStubEarnsNothing) {
+  FunctionRecord& stub = function(record_, "6.1");
+  fail(stub);
+  part(record_, 6).pictures = {picture("a room", {0.0, 0.0, 0.001})};
+  EXPECT_GT(lineOf(mark(), "6.1").points, 0.0);
+  stub.mistake = diagnosis::kStub;
+  EXPECT_EQ(lineOf(mark(), "6.1").points, 0.0);
+  expectReason(mark(), "6.1", "It is not written yet: it answers as the empty stub does.");
 }
 
 TEST_F(Marking, AMistakeCostsItsPartOnly) {
