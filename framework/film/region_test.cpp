@@ -14,7 +14,8 @@ namespace {
 constexpr double kRounding = 0x1p-20;
 
 double degreesOf(std::uint32_t replicates) {
-  return std::max(1.0, (static_cast<double>(replicates) - 1.0) / 8.0);
+  const double degrees = static_cast<double>(replicates) - 1.0;
+  return replicates < kFewReplicates ? degrees / 16.0 : std::max(1.0, degrees / 8.0);
 }
 
 void addVariance(const Image& image, std::size_t at, std::uint32_t replicates,

@@ -86,10 +86,11 @@ void addMeaningOfNumbers(Text out, const CompareReport& report) {
   else if (replicates.any())
     fmt::format_to(
         out,
-        "\nz = (A - B) / error; p = probability of such a z if only noise differs. A mean "
+        "\nz = (A - B) / error; p = probability of such a z{} if only noise differs. A mean "
         "of the image\ndiffers from p = {:.2g} on, one of a tile from {:.2g} on: images "
         "that are the same are said to\ndiffer in {:.3g} of all comparisons.\n",
-        comparison.alphaOfWhole, comparison.alphaOfTile, report.settings.alpha);
+        report.settings.within ? ", less what --within accepts," : "", comparison.alphaOfWhole,
+        comparison.alphaOfTile, report.settings.alpha);
 }
 
 }  // namespace

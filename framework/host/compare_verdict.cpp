@@ -106,6 +106,14 @@ std::vector<std::string> compareNotes(const CompareReport& report) {
   else if (varianceA != varianceB)
     notes.push_back(fmt::format("Only {} has variances: {} counts as exact.", varianceA ? 'A' : 'B',
                                 varianceA ? 'B' : 'A'));
+  const auto isFew = [](std::uint32_t replicates) {
+    return replicates > 0 && replicates < kFewReplicates;
+  };
+  if (isFew(comparison.replicates.a) || isFew(comparison.replicates.b))
+    notes.push_back(fmt::format(
+        "Fewer than {} replicates say little of the noise: only large differences show, and with "
+        "--replicates 16 small ones too.",
+        kFewReplicates));
   if (!comparison.judged && !comparison.equal)
     notes.push_back(
         "Neither has variances, so only equal values count as the same; --within 1% accepts small "
