@@ -26,6 +26,12 @@ std::vector<std::string> exportNotes(const WorldScene& scene, ExportFormat forma
   const bool pbrt = format == ExportFormat::kPbrt;
   const std::string_view name = pbrt ? "pbrt" : "Mitsuba 3";
   std::vector<std::string> notes;
+  if (scene.isMoved())
+    notes.push_back(fmt::format(
+        "The scene is far from the origin for its size, where {} would round its corners to "
+        "floats that are too far apart: the point ({}) of its file is the origin here, for the "
+        "camera and all shapes alike. The picture is the same.",
+        name, fmt::join(scene.origin, ", ")));
   if (scene.hasPhong())
     notes.push_back(fmt::format(
         "{} has no modified Phong material: each is a mixture of a diffuse material and a rough "

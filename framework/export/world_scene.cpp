@@ -15,14 +15,14 @@ glm::dvec3 toDouble(const Float3& a) { return {a[0], a[1], a[2]}; }
 double largest(const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); }
 double mean(const glm::dvec3& c) { return (c.x + c.y + c.z) / 3.0; }
 
+// Back to the file's unit of length, but not to its place: far from the origin, the other
+// renderers' floats would not tell the corners of a lamp apart.
 class Undo {
  public:
   explicit Undo(const Normalisation& n) : n_(n) {}
 
   double length(double normalised) const { return normalised / n_.scale; }
-  glm::dvec3 point(const glm::dvec3& p) const {
-    return p / n_.scale + glm::dvec3(n_.shift[0], n_.shift[1], n_.shift[2]);
-  }
+  glm::dvec3 point(const glm::dvec3& p) const { return p / n_.scale; }
 
  private:
   const Normalisation& n_;
@@ -105,6 +105,7 @@ WorldScene worldScene(const LoadedScene& scene) {
   WorldScene world;
   world.name = scene.name;
   world.caption = scene.caption;
+  world.origin = scene.normalisation.shift;
   world.camera = cameraOf(scene, undo);
   world.maxBounces = static_cast<int>(scene.flat.maxBounces);
   world.materials = scene.flat.materials;

@@ -1,8 +1,8 @@
-// A scene as other renderers are told it: in the coordinates of its file.
+// A scene as other renderers are told it: in its file's unit of length, and about the origin.
 //
 //   WorldCamera, WorldMesh, WorldSphere   its parts
 //   WorldScene                            all of it
-//   worldScene                            undoes the normalisation of a loaded scene
+//   worldScene                            undoes the scale of a loaded scene's normalisation
 //   phongRoughness                        the microfacet lobe that is nearest to a Phong lobe
 #pragma once
 
@@ -39,6 +39,7 @@ struct WorldSphere {
 
 struct WorldScene {
   std::string name, caption;
+  std::array<double, 3> origin{};  // the point of the file that is the origin here
   WorldCamera camera;
   int maxBounces = 8;
   std::vector<FlatMaterial> materials;
@@ -49,6 +50,7 @@ struct WorldScene {
   bool emits(std::uint32_t shape) const { return shapes[shape].emission != Float3{}; }
   bool hasPhong() const;
   bool hasFrontOnly() const;
+  bool isMoved() const { return origin != std::array{0.0, 0.0, 0.0}; }
 };
 
 WorldScene worldScene(const LoadedScene& scene);

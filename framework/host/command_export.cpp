@@ -164,9 +164,11 @@ void addExportCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark export cornell_box --format pbrt --rays-per-pixel 256 --output "
       "/tmp/box.pbrt\n\n"
       "Camera, film, box filter, length of paths, geometry, Lambertian materials and lights that\n"
-      "shine from their front are the same there. What the other renderer has no counterpart of "
-      "is\n"
-      "said, here and at the top of the file; handouts/error.md tells more.\n"
+      "shine from their front are the same there; a scene that is far from the origin for its "
+      "size\n"
+      "is moved there as a whole. This, and what the other renderer has no counterpart of, is "
+      "said\n"
+      "here and at the top of the file; handouts/error.md tells more.\n"
       "Exit code: 0 done, 2 the command line or the scene is at fault, 3 the machine is.");
   command->callback(
       [arguments, &action] { action = [arguments] { return exportScene(*arguments); }; });

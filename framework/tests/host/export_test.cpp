@@ -169,8 +169,9 @@ TEST(ExportFloats, ASceneThatTheyCannotHoldIsRefused) {
   EXPECT_THROW(requireFloats(wide), SceneError);
 }
 
-// A scene that is tiny and far away is normalised for our worker, and is itself again there.
-TEST(ExportWorld, CoordinatesAreThoseOfTheFile) {
+// A scene that is tiny and far away is normalised for our worker. It has its size again there, but
+// stays at the origin.
+TEST(ExportWorld, LengthsAreThoseOfTheFile) {
   const std::string text = R"({
     "camera": {"eye": [1000000, 0, 0.003], "target": [1000000, 0, 0], "up": [0, 1, 0],
                "fieldOfView": 45},
@@ -180,10 +181,62 @@ TEST(ExportWorld, CoordinatesAreThoseOfTheFile) {
   const LoadedScene scene = loadText(text);
   ASSERT_NE(scene.normalisation.shift[0], 0.0);
   const WorldScene world = worldScene(scene);
-  EXPECT_NEAR(world.camera.eye.x, 1e6, 1e-6);
-  EXPECT_NEAR(world.camera.eye.z, 0.003, 1e-7);
-  EXPECT_NEAR(world.spheres.at(0).centre.y, 0.00025, 1e-9);
+  const glm::dvec3 origin(world.origin[0], world.origin[1], world.origin[2]);
+  EXPECT_NEAR(world.camera.eye.x + origin.x, 1e6, 1e-6);
+  EXPECT_NEAR(world.camera.eye.z + origin.z, 0.003, 1e-7);
+  EXPECT_NEAR(world.spheres.at(0).centre.y + origin.y, 0.00025, 1e-9);
   EXPECT_NEAR(world.spheres.at(0).radius, 0.001, 1e-9);
+  EXPECT_LT(length(world.camera.eye), 0.01);
+}
+
+// A room with a lamp of 1 x 1, where floats are 8 apart.
+std::string roomFarAway() {
+  return R"({
+    "camera": {"eye": [1e8, 50000001, 3.4], "target": [1e8, 50000001, 0], "fieldOfView": 50},
+    "materials": {"white": {"type": "lambertian", "Kd": [0.5, 0.5, 0.5]}},
+    "shapes": [{"type": "box", "low": [99999998, 50000000, -2], "high": [100000002, 50000002.5, 3.5],
+                "inward": true, "material": "white"},
+               {"type": "rectangle", "material": "white", "emission": [9, 8, 7],
+                "vertices": [[99999999.5, 50000002.4, -0.5], [100000000.5, 50000002.4, -0.5],
+                             [100000000.5, 50000002.4, 0.5], [99999999.5, 50000002.4, 0.5]]}]})";
+}
+
+glm::dvec3 pointAt(const std::vector<double>& numbers, double index) {
+  const auto at = 3 * static_cast<std::size_t>(index);
+  return {numbers.at(at), numbers.at(at + 1), numbers.at(at + 2)};
+}
+
+TEST(ExportPbrt, ALampFarFromTheOriginKeepsItsArea) {
+  const std::vector<PbrtStatement> all = pbrtOf(loadText(roomFarAway()));
+  double area = 0.0;
+  bool shines = false;
+  for (const PbrtStatement& s : all) {
+    if (s.directive == "AttributeBegin") shines = false;
+    if (s.directive == "AreaLightSource") shines = true;
+    if (s.directive != "Shape" || !shines) continue;
+    const std::vector<double>&points = s.numbers("P"), &indices = s.numbers("indices");
+    for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+      const glm::dvec3 a = pointAt(points, indices[t]);
+      area += 0.5 * length(cross(pointAt(points, indices[t + 1]) - a,
+                                 pointAt(points, indices[t + 2]) - a));
+    }
+  }
+  EXPECT_NEAR(area, 1.0, 1e-5);
+  expectSameCamera(loadText(roomFarAway()));
+}
+
+TEST(ExportNotes, SayThatAFarSceneIsMoved) {
+  const LoadedScene far = loadText(roomFarAway());
+  const WorldScene world = worldScene(far);
+  ASSERT_TRUE(world.isMoved());
+  for (const ExportFormat format : {ExportFormat::kPbrt, ExportFormat::kMitsuba})
+    EXPECT_NE(exportNotes(world, format).at(0).find("the point (100000000, 50000001.25, 0.75)"),
+              std::string::npos)
+        << exportNotes(world, format).at(0);
+  const std::string pbrt = exportPbrt(world, {"scene"}).front().content;
+  EXPECT_NE(pbrt.find("# Note: The scene is far from the origin"), std::string::npos);
+  EXPECT_NE(mitsubaOf(far).find("<!-- Note: The scene is far from the origin"), std::string::npos);
+  EXPECT_FALSE(worldScene(shipped("cornell_box")).isMoved());
 }
 
 TEST(ExportPhong, TheMixtureReflectsAsMuch) {
