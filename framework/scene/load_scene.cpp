@@ -2,6 +2,7 @@
 
 #include "scene/film.h"
 #include "scene/flatten.h"
+#include "scene/light_planes.h"
 #include "scene/normalise.h"
 #include "scene/read_scene.h"
 #include "scene/read_text.h"
@@ -60,6 +61,7 @@ LoadedScene load(const SceneSource& source, const SceneOverrides& overrides) {
   loaded.flat.camera = camera;
   requireView(loaded.flat, Place(top, "camera"));
   noteDarkness(loaded.flat, loaded.notes);
+  noteLightsInPlanes(loaded.flat, loaded.notes);
   return loaded;
 }
 
