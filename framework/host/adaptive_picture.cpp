@@ -50,6 +50,16 @@ void writeRayMap(const fs::path& file, const AdaptivePicture& picture) {
              toLookAt ? ", which is white" : "");
 }
 
+// By what the pilot told: a tile that was held at the most may have come within the error all the
+// same, by luck, and another have missed it.
+std::string heldTilesSentence(std::size_t held, std::size_t tiles, std::uint64_t mostRays) {
+  if (held == 0) return {};
+  return fmt::format(
+      "By what the first rays told, {} of the {} tiles would have needed more than {} rays per "
+      "pixel, which is the most.\n",
+      held, tiles, mostRays);
+}
+
 void printReached(const AdaptiveRequest& request, const AdaptivePicture& picture) {
   if (picture.errors.relative.empty()) return;
   const auto within = std::count_if(picture.errors.relative.begin(), picture.errors.relative.end(),
@@ -59,9 +69,8 @@ void printReached(const AdaptiveRequest& request, const AdaptivePicture& picture
       "of {4} within {5:g} %.\n",
       kTileSize, 100.0 * picture.errors.median(), 100.0 * picture.errors.worst(), within,
       picture.errors.relative.size(), 100.0 * request.targetError);
-  if (picture.tilesAtMost > 0)
-    fmt::print("{} of them would have needed more than {} rays per pixel.\n", picture.tilesAtMost,
-               AdaptiveRender::mostRays(request.options.raysPerPixel));
+  fmt::print("{}", heldTilesSentence(picture.tilesAtMost, picture.errors.relative.size(),
+                                     AdaptiveRender::mostRays(request.options.raysPerPixel)));
 }
 
 void noteRaysLeft(std::uint64_t allowed) {

@@ -4,6 +4,7 @@
 //   Checkpoint            identity, settings and state
 //   writeCheckpoint, readCheckpoint
 //   whyNotContinued       whether a render can go on from it to the same bits
+//   howToRefine           what a complete picture can be refined with
 #pragma once
 
 #include "host/render_state.h"
@@ -47,9 +48,13 @@ Checkpoint readCheckpoint(const std::filesystem::path& file);
 // Its beginning only: the state has no film. Throws CheckpointError.
 Checkpoint readCheckpointHeader(const std::filesystem::path& file);
 
-// Says how the render of the checkpoint differs from the wanted one; empty if all rays that it has
-// are rays of the wanted one too.
+// Says how the render of the checkpoint differs from the wanted one, and where only the number of
+// rays does, what could be asked for instead; empty if all rays that it has are rays of the wanted
+// one too.
 std::string whyNotContinued(const Checkpoint& checkpoint, const CheckpointIdentity& wanted);
+
+// A sentence: the options that go on from the checkpoint of the complete picture, or why none do.
+std::string howToRefine(const RenderSettings& made);
 
 // Whether `a` has at least the rays of `b`; both are of the same render.
 bool holds(const RenderState& a, const RenderState& b);

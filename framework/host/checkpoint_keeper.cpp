@@ -151,7 +151,7 @@ std::string CheckpointKeeper::onFinish(const RenderState& state) {
   }
   try {
     const std::string note = write(state);
-    return fmt::format("{}To refine the picture: --resume with more --rays-per-pixel.\n", note);
+    return fmt::format("{}{}\n", note, howToRefine(identity_.settings));
   } catch (const std::exception& e) {
     return fmt::format("{}\n", e.what());
   }

@@ -204,7 +204,7 @@ void addLongRenderOptions(CLI::App& command, RenderArguments& arguments) {
                    "Go on from OUTPUT.checkpoint, to the same bits as without a break");
   command.add_flag("--keep-checkpoint", checkpoints.keep,
                    "Keep OUTPUT.checkpoint of a complete picture, to refine it with --resume and "
-                   "more rays per pixel");
+                   "more rays per pixel or replicates; how, is said at the end");
 }
 
 void addTargetErrorOptions(CLI::App& command, RenderArguments& arguments) {
@@ -213,12 +213,14 @@ void addTargetErrorOptions(CLI::App& command, RenderArguments& arguments) {
                 "Give each tile of 16x16 pixels as many rays as its error needs to be below this, "
                 "such as 1%: the root of its pixels' mean variance, relative to its brightness, "
                 "or to a tenth of the picture's where it is darker; --rays-per-pixel is then the "
-                "most (default: 16384)"),
+                "most (default: 16384), and no checkpoint is kept: not with --replicates, "
+                "--resume, --keep-checkpoint or --checkpoint-every"),
             "ERROR", "a share such as 1%");
   takesText(
       command.add_option(
           "--ray-map", arguments.rayMap,
-          "Also write how many rays each tile got: .png to look at, .exr or .pfm for numbers"),
+          "With --target-error, also write how many rays each tile got: .png to look at, .exr or "
+          ".pfm for numbers"),
       "FILE", "the name of a file");
 }
 
@@ -311,7 +313,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
                  "Sample lights that are one triangle or rectangle by bonus part 9, by the solid "
                  "angle that they fill")
       ->excludes(warmUp);
-  addPathsOption(*command, arguments->paths);
+  addPathsOption(*command, arguments->paths, "; not with --warm-up, --mis or --reuse");
   addLongRenderOptions(*command, *arguments);
   addTargetErrorOptions(*command, *arguments);
   command->add_flag("--explain", arguments->explain,

@@ -62,13 +62,16 @@ inline void addSamplerOption(CLI::App& command, std::string& name) {
       ->type_name("NAME");
 }
 
-// --paths EXPRESSION, for findPaths.
-inline void addPathsOption(CLI::App& command, std::optional<std::string>& expression) {
+// --paths EXPRESSION, for findPaths. `more` ends its description.
+inline void addPathsOption(CLI::App& command, std::optional<std::string>& expression,
+                           const std::string& more = {}) {
   command
-      .add_option("--paths", expression,
-                  "Only light that came along paths of this light path expression, such as "
-                  "'L(S|D)*E' for all: L the light, S and D specular and diffuse reflections, . "
-                  "either, E the eye; * + ? | and ( ) as usual. handouts/light_paths.md tells more")
+      .add_option(
+          "--paths", expression,
+          "Only light that came along paths of this light path expression, such as "
+          "'L(S|D)*E' for all: L the light, S and D specular and diffuse reflections, . "
+          "either, E the eye; * + ? | and ( ) as usual. handouts/light_paths.md tells more" +
+              more)
       ->type_name("EXPR");
 }
 

@@ -3,6 +3,7 @@
 #include "host/build_cache.h"
 #include "host/build_files.h"
 #include "host/build_problems.h"
+#include "host/compiler_words.h"
 #include "host/content_hash.h"
 #include "host/display_path.h"
 #include "host/object_file.h"
@@ -13,6 +14,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 namespace pathmark {
 
@@ -42,6 +44,15 @@ const std::string& toolchainStamp() {
     return text;
   }();
   return all;
+}
+
+// Some editors save so; the compiler reads bytes, and calls every second one stray. Empty for what
+// it can read.
+std::string_view wideEncoding(std::string_view code) {
+  using namespace std::string_view_literals;
+  if (code.starts_with("\xff\xfe\0\0"sv) || code.starts_with("\0\0\xfe\xff"sv)) return "UTF-32";
+  if (code.starts_with("\xff\xfe"sv) || code.starts_with("\xfe\xff"sv)) return "UTF-16";
+  return {};
 }
 
 std::string folderPrefix(const fs::path& folder) {
@@ -117,8 +128,8 @@ bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::s
       compileCommand(workshop, copy, raw, scratch.path().string() + "/=" + folderPrefix(folder)),
       scratch);
   if (!compiled.output.empty())
-    messages =
-        "\n" + replaceAll(compiled.output, scratch.path().string() + "/", folderPrefix(folder));
+    messages = "\n" + shortCompilerWords(replaceAll(compiled.output, scratch.path().string() + "/",
+                                                    folderPrefix(folder)));
   if (compiled.timedOut)
     messages += fmt::format("The compiler was stopped after {:g} s.\n", compiled.timeLimitSeconds);
   if (compiled.exitCode != 0) return false;
@@ -161,11 +172,15 @@ void buildPart(PartBuild& part, const std::shared_ptr<Confinement>& confinement)
                                 whatAFolderHolds(part.source.parent_path()));
     return;
   }
+  if (const std::string_view encoding = wideEncoding(*code); !encoding.empty()) {
+    part.messages = fmt::format(" it is saved as {}; save it as UTF-8.", encoding);
+    return;
+  }
   const std::string key = contentHash(toolchainStamp() + Workshop(confinement).name() +
                                       folderPrefix(part.source.parent_path()) +
                                       part.source.filename().string() + "\n" + *code);
   const fs::path folder = kBuildFolder / "workers/objects";
-  fs::create_directories(folder);
+  makeBuildFolder(folder);
   const fs::path made = folder / (key + ".o");
   if (fs::exists(made)) {
     markUsed(made);

@@ -71,7 +71,7 @@ std::string linkInto(const fs::path& folder, const LinkInputs& inputs) {
   const fs::path made = scratch / "worker";
   const ProcessResult linked = runLinker(workshop, scratch, inputs, made);
   if (linked.exitCode != 0) return linked.output.empty() ? "The linker failed.\n" : linked.output;
-  fs::create_directories(folder);
+  makeBuildFolder(folder);
   if (!inputs.confinement)
     fs::rename(made, folder / "worker");
   else if (!takeFile(made, folder / "worker", kLargestProgram))

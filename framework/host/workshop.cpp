@@ -1,6 +1,9 @@
 #include "host/workshop.h"
 
 #include "host/build_config.h"
+#include "host/display_path.h"
+
+#include <fmt/format.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -11,6 +14,18 @@ namespace pathmark {
 
 namespace fs = std::filesystem;
 
+BuildFolderError::BuildFolderError(const fs::path& folder, std::error_code why)
+    : std::system_error(why),
+      sentence_(fmt::format("{} cannot be written by this user ({}), and must be: coursework is "
+                            "compiled there",
+                            displayPath(folder), why.message())) {}
+
+void makeBuildFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw BuildFolderError(folder, error);
+}
+
 ScratchFolder::ScratchFolder(Confinement* confinement) {
   if (confinement) {
     path_ = confinement->makeScratchFolder();
@@ -18,9 +33,9 @@ ScratchFolder::ScratchFolder(Confinement* confinement) {
   }
   const fs::path workers = fs::path(build::kBuildFolder) / "workers";
   std::string name = (workers / "scratch.XXXXXX").string();
-  fs::create_directories(workers);
+  makeBuildFolder(workers);
   if (!mkdtemp(name.data()))
-    throw std::system_error(errno, std::generic_category(), "making a folder in build/");
+    throw BuildFolderError(workers, std::error_code(errno, std::generic_category()));
   path_ = name;
 }
 

@@ -1,7 +1,10 @@
 // Where the steps of making a worker are done: in a confinement, or outside.
 //
-//   ScratchFolder   a folder of its own for one step of the work, gone afterwards
-//   Workshop        runs steps
+//   BuildFolderError   the build folder cannot be written, which is needed with and without a
+//                      confinement
+//   makeBuildFolder    a folder in it
+//   ScratchFolder      a folder of its own for one step of the work, gone afterwards
+//   Workshop           runs steps
 #pragma once
 
 #include "host/confinement.h"
@@ -9,14 +12,29 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 namespace pathmark {
 
+// A sentence without its full stop.
+class BuildFolderError : public std::system_error {
+ public:
+  BuildFolderError(const std::filesystem::path& folder, std::error_code why);
+  const char* what() const noexcept override { return sentence_.c_str(); }
+
+ private:
+  std::string sentence_;
+};
+
+// With those that it lies in, if they are not there. Throws BuildFolderError.
+void makeBuildFolder(const std::filesystem::path& folder);
+
 class ScratchFolder {
  public:
-  // In the confinement's place for them, or in the build folder. Throws std::system_error.
+  // In the confinement's place for them, or in the build folder. Throws std::system_error, of which
+  // BuildFolderError is one.
   explicit ScratchFolder(Confinement* confinement);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

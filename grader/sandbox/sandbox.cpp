@@ -1,5 +1,6 @@
 #include "sandbox/sandbox.h"
 
+#include "host/workshop.h"
 #include "sandbox/bubblewrap_tier.h"
 #include "sandbox/landlock.h"
 #include "sandbox/landlock_tier.h"
@@ -21,13 +22,16 @@ std::shared_ptr<Confinement> make(Tier tier, const Limits& limits) {
   return std::make_shared<LandlockTier>(limits);
 }
 
-// The sandbox, or nothing and why.
+// The sandbox, or nothing and why. A build folder that cannot be written is no fault of the tier,
+// and none would do without it.
 std::shared_ptr<Confinement> tryTier(Tier tier, const Limits& limits, std::string& why) {
   std::string failure;
   try {
     const auto confinement = make(tier, limits);
     failure = selfTest(*confinement);
     if (failure.empty()) return confinement;
+  } catch (const BuildFolderError&) {
+    throw;
   } catch (const std::exception& e) {
     failure = e.what();
   }

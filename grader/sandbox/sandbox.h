@@ -30,7 +30,7 @@ struct Limits {
 };
 
 // With the tier that is wanted, or the strongest. Throws ConfinementError, a sentence that says
-// what is missing, if no such tier holds.
+// what is missing, if no such tier holds, and BuildFolderError.
 std::shared_ptr<Confinement> openSandbox(std::optional<Tier> wanted = std::nullopt,
                                          const Limits& limits = {});
 

@@ -9,15 +9,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <functional>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include <grp.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -260,6 +264,48 @@ TEST_P(Sandbox, CompileBombsCostTheirPartOnly) {
     EXPECT_FALSE(made.parts.at(static_cast<std::size_t>(part)).compiled);
   for (const int part : {0, 1, 2, 3})
     EXPECT_TRUE(made.parts.at(static_cast<std::size_t>(part)).compiled);
+}
+
+// What is said where this function fails, in a process that has become another user; empty where
+// the process could not.
+std::string sentenceAsNobody(const std::function<void()>& function) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return {};
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (setgroups(0, nullptr) != 0 || setresgid(kNobody, kNobody, kNobody) != 0 ||
+        setresuid(kNobody, kNobody, kNobody) != 0)
+      _exit(1);
+    std::string sentence = "nothing failed";
+    try {
+      function();
+    } catch (const std::exception& e) {
+      sentence = e.what();
+    }
+    _exit(write(ends[1], sentence.data(), sentence.size()) < 0 ? 1 : 0);
+  }
+  close(ends[1]);
+  std::string sentence;
+  std::array<char, 512> chunk{};
+  for (ssize_t n = 0; (n = read(ends[0], chunk.data(), chunk.size())) > 0;)
+    sentence.append(chunk.data(), static_cast<std::size_t>(n));
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return sentence;
+}
+
+TEST(OpenSandbox, ABuildFolderThatCannotBeWrittenIsNoLackOfASandbox) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become a user who may not write there";
+  std::filesystem::create_directories(std::filesystem::path(build::kBuildFolder) / "workers");
+  for (const bool unsafe : {false, true}) {
+    const std::string sentence = sentenceAsNobody([&] { sandbox::openStrongest(unsafe); });
+    if (sentence.empty()) GTEST_SKIP() << "this process cannot become another user";
+    EXPECT_NE(sentence.find("workers cannot be written by this user (Permission denied), and must"),
+              std::string::npos)
+        << sentence;
+    EXPECT_EQ(sentence.find("--unsafe"), std::string::npos) << sentence;
+  }
 }
 
 TEST(Staging, RemovesWhatKilledProcessesHaveLeftAndNothingElse) {

@@ -239,15 +239,19 @@ TEST_F(CheckpointTest, SaysWhatDiffers) {
         i.settings.sharing.pixels = 16;
       },
       "by tracePath, not with --reuse 16 --direct-paths 1");
-  says([](auto& i) { i.settings.replicates = 2; }, "4 of 128 rays per pixel, not 2 of 256");
-  says([](auto& i) { i.settings.replicates = 1; }, "not 1 of 512");
-  says([](auto& i) { i.settings.raysPerPixel = 1024; }, "not 4 of 256");
+  says([](auto& i) { i.settings.replicates = 2; },
+       "4 of 128 rays per pixel, not 2 of 256; with --rays-per-pixel 512 --replicates 4 it could");
+  says([](auto& i) { i.settings.replicates = 1; },
+       "not 1 of 512; with --rays-per-pixel 512 --repl");
+  says([](auto& i) { i.settings.raysPerPixel = 1024; }, "not 4 of 256; with ");
+  says([](auto& i) { i.settings.replicates = 8; },
+       "not 8 of 64; with --rays-per-pixel 1024 --replicates 8 it could go on");
   says(
       [](auto& i) {
         i.settings.raysPerPixel = 256;
         i.settings.replicates = 2;
       },
-      "has 320 rays per pixel already, and 256 are wanted");
+      "has 320 rays per pixel already, and 256 are wanted; with --rays-per-pixel 512 --repl");
 }
 
 TEST_F(CheckpointTest, ThreadsDoNotMatter) {
@@ -290,6 +294,89 @@ TEST(CheckpointRays, OnlyPassesOfTheWantedImageAreGoneOnFrom) {
   EXPECT_NE(whyNotRefined(1000, 128, 16, 150), "");
   EXPECT_NE(whyNotRefined(1000, 128, 0, 64), "");
   EXPECT_NE(whyNotRefined(5, 5, 0, 10), "") << "passes of 5 and of 10";
+}
+
+// The render that a finished picture's sentence, or a refusal, names after this word.
+RenderSettings namedAfter(const std::string& word, const std::string& sentence) {
+  const std::string rays = word + "--rays-per-pixel ", replicates = " --replicates ";
+  const std::size_t at = sentence.find(rays);
+  EXPECT_NE(at, std::string::npos) << sentence;
+  RenderSettings named;
+  if (at == std::string::npos) return named;
+  std::size_t end = 0;
+  const std::string rest = sentence.substr(at + rays.size());
+  named.raysPerPixel = std::stoull(rest, &end);
+  if (rest.compare(end, replicates.size(), replicates) == 0)
+    named.replicates = static_cast<std::uint32_t>(std::stoul(rest.substr(end + replicates.size())));
+  return named;
+}
+
+RenderSettings settingsOf(std::uint64_t rays, std::uint32_t replicates) {
+  RenderSettings settings;
+  settings.raysPerPixel = rays;
+  settings.replicates = replicates;
+  return settings;
+}
+
+Checkpoint finishedCheckpoint(const RenderSettings& settings) {
+  RenderState state;
+  if (settings.replicates > 1)
+    state.replicate = settings.replicates;
+  else
+    state.firstRay = settings.raysPerPixel;
+  return {identityOf(settings), state};
+}
+
+TEST(CheckpointRays, WhatIsNamedToRefineAPictureIsGoneOnTo) {
+  for (const auto& [rays, replicates] :
+       {std::pair{64u, 1u}, {640u, 1u}, {128u, 4u}, {300u, 3u}, {100u, 2u}, {1000u, 1000u}}) {
+    const RenderSettings made = settingsOf(rays, replicates);
+    const std::string sentence = howToRefine(made);
+    const RenderSettings named = namedAfter("such as ", sentence);
+    EXPECT_GT(named.raysPerPixel, rays) << sentence;
+    EXPECT_EQ(whyNotContinued(finishedCheckpoint(made), identityOf(named)), "") << sentence;
+  }
+  EXPECT_EQ(howToRefine(settingsOf(128, 4)),
+            "To refine the picture: --resume with more replicates of 32 rays per pixel, such as "
+            "--rays-per-pixel 256 --replicates 8.");
+}
+
+TEST(CheckpointRays, APictureThatCannotBeRefinedSaysSo) {
+  for (const std::uint64_t rays : {1u, 32u, 63u, 65u, 100u}) {
+    const RenderSettings made = settingsOf(rays, 1);
+    EXPECT_NE(whyNotContinued(finishedCheckpoint(made), identityOf(settingsOf(1024, 1))), "");
+    const std::string sentence = howToRefine(made);
+    EXPECT_TRUE(sentence.starts_with("The picture cannot be refined: ")) << sentence;
+    const RenderSettings named = namedAfter("with ", sentence);
+    EXPECT_TRUE(howToRefine(named).starts_with("To refine ")) << sentence;
+  }
+  EXPECT_TRUE(howToRefine(settingsOf(1024, 1024)).starts_with("The picture cannot be refined: "));
+}
+
+TEST(CheckpointRays, ARefusalNamesWhatIsGoneOnTo) {
+  const RenderSettings pictures[] = {settingsOf(32, 1), settingsOf(128, 1), settingsOf(1000, 1),
+                                     settingsOf(128, 4), settingsOf(1024, 1024)};
+  for (const RenderSettings& made : pictures)
+    for (const bool complete : {true, false})
+      for (const RenderSettings& wanted :
+           {settingsOf(16, 1), settingsOf(128, 1), settingsOf(300, 3), settingsOf(4096, 16)}) {
+        Checkpoint checkpoint = finishedCheckpoint(made);
+        if (!complete) checkpoint.state = RenderState{};
+        const std::string why = whyNotContinued(checkpoint, identityOf(wanted));
+        if (why.empty()) continue;
+        if (why.ends_with("; it is complete, and cannot be refined")) {
+          EXPECT_TRUE(complete) << why;
+          EXPECT_TRUE(howToRefine(made).starts_with("The picture cannot be refined: ")) << why;
+          continue;
+        }
+        const RenderSettings named = namedAfter("; with ", why);
+        EXPECT_EQ(whyNotContinued(checkpoint, identityOf(named)), "") << why;
+        EXPECT_TRUE(!complete || named.raysPerPixel > made.raysPerPixel) << why;
+      }
+  EXPECT_TRUE(
+      whyNotContinued(finishedCheckpoint(settingsOf(100, 1)), identityOf(settingsOf(300, 1)))
+          .ends_with("belongs to a picture of 100 only; one of a multiple of 64 rays per "
+                     "pixel, such as 128, could be refined"));
 }
 
 void expectSame(const RenderedImage& a, const RenderedImage& b) {

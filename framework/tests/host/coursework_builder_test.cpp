@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
 
 namespace pathmark::test {
 namespace {
@@ -92,6 +96,31 @@ TEST(CourseworkBuilder, AMissingFunctionReturnValueIsAnErrorNotAWarning) {
   TestCoursework coursework;
   coursework.setTracePath("(void)ray; (void)sampler;");
   EXPECT_TRUE(buildCoursework(coursework.folder()).worker.empty());
+}
+
+// The byte order marks of little and big endian.
+TEST(CourseworkBuilder, AnEncodingThatTheCompilerCannotReadIsNamed) {
+  using namespace std::string_literals;
+  for (const auto& [start, encoding] : {std::pair{"\xff\xfe/\0"s, "UTF-16"},
+                                        {"\xfe\xff\0/"s, "UTF-16"},
+                                        {"\xff\xfe\0\0/\0\0\0"s, "UTF-32"},
+                                        {"\0\0\xfe\xff\0\0\0/"s, "UTF-32"}}) {
+    TestCoursework coursework;
+    coursework.write("part5_path.cpp", start);
+    const PartBuild part = compilePart(coursework.folder(), 5);
+    EXPECT_FALSE(part.compiled);
+    EXPECT_TRUE(part.failure().ends_with("part5_path.cpp does not compile: it is saved as "s +
+                                         encoding + "; save it as UTF-8."))
+        << part.failure();
+  }
+}
+
+TEST(CourseworkBuilder, AMarkOfUtf8IsRead) {
+  TestCoursework coursework;
+  std::ifstream in(coursework.folder() / "part5_path.cpp");
+  const std::string code(std::istreambuf_iterator<char>(in), {});
+  coursework.write("part5_path.cpp", "\xef\xbb\xbf" + code);
+  EXPECT_TRUE(compilePart(coursework.folder(), 5).compiled);
 }
 
 TEST(CourseworkBuilder, AMissingFileIsNamed) {

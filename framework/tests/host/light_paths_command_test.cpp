@@ -53,6 +53,10 @@ TEST_F(LightPathsCommand, IsNotForTheWarmUp) {
   expectSays(render({"--paths", "LE", "--warm-up"}), 2, "--paths and --warm-up");
 }
 
+TEST_F(LightPathsCommand, HelpNamesWhatIsRefused) {
+  expectSays(pathmark({"render", "--help"}), 0, "; not with --warm-up, --mis or --reuse\n");
+}
+
 TEST_F(LightPathsCommand, IsKeptInTheImageAndToldOfIt) {
   ASSERT_EQ(render({"--paths", "L S E", "--output", "s.exr"}).exitCode, 0);
   ASSERT_EQ(render({"--output", "all.exr"}).exitCode, 0);

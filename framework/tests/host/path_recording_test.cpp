@@ -120,7 +120,7 @@ TEST(PathRecording, NamesTheLineOfACrash) {
 TEST(PathRecording, NamesTheLineOfAnEndlessLoop) {
   TestCoursework coursework;
   coursework.setTracePath(
-      "(void)ray; (void)sampler;\nvolatile int k = 0;\nfor (;;) k = k + 1;\nreturn {};");
+      "(void)ray; (void)sampler;\nvolatile unsigned k = 0;\nfor (;;) k = k + 1;\nreturn {};");
   const std::string failure = failureOf(coursework, WorkerFault::kTimeLimit);
   EXPECT_NE(failure.find("part5_path.cpp:6, in LitScene::tracePath"), std::string::npos) << failure;
 }

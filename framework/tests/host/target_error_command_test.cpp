@@ -50,7 +50,9 @@ TEST_F(TargetError, RaysThatAreAllowedAndNotMadeAreTold) {
   };
   const ProcessResult odd = withAtMost("127");
   expectSays(odd, 0, "Of the 127 rays per pixel that are allowed at most 64 are made");
-  expectSays(odd, 0, "6 of them would have needed more than 64 rays per pixel.");
+  expectSays(odd, 0,
+             "0 of 6 within 1 %.\nBy what the first rays told, 6 of the 6 tiles would have needed "
+             "more than 64 rays per pixel, which is the most.");
   const ProcessResult even = withAtMost("128");
   expectSays(even, 0, "128.0 rays per pixel in the mean");
   EXPECT_EQ(even.output.find("are allowed"), std::string::npos) << even.output;
@@ -73,6 +75,12 @@ TEST_F(TargetError, WhatDoesNotGoTogetherIsASentence) {
   expectSays(render({"--size", ""}), 2, "--size: found nothing");
   expectSays(render({"--target-error", "20%", "--ray-map", ""}), 2, "--ray-map: found nothing");
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+TEST_F(TargetError, HelpNamesWhatIsRefused) {
+  const ProcessResult help = render({"--help"});
+  expectSays(help, 0, "not with --replicates, --resume, --keep-checkpoint or --checkpoint-every");
+  expectSays(help, 0, "With --target-error, also write how many rays");
 }
 
 TEST_F(TargetError, TheMapOfRaysIsNotWrittenOverThePicture) {

@@ -1,0 +1,83 @@
+#include "host/compiler_words.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace pathmark {
+
+namespace {
+
+constexpr const char* kFloatHint =
+    "  Colours and vectors are of float: a number such as 3.14 is a double, and 3.14f is none.\n";
+
+bool has(const std::string& line, const char* words) {
+  return line.find(words) != std::string::npos;
+}
+
+bool beginsDiagnostic(const std::string& line) {
+  return has(line, ": error: ") || has(line, ": warning: ") || has(line, ": In ") ||
+         has(line, ": At global scope:");
+}
+
+bool isCandidateOfLibrary(const std::string& line) {
+  return line.starts_with("/usr/") && has(line, ": note: candidate: ");
+}
+
+bool tellsWhereIncluded(const std::string& line) {
+  return line.starts_with("In file included from ") || line.starts_with("                 from ");
+}
+
+bool mixesDoubleWithVector(const std::string& line) {
+  return has(line, ": error: no match for ") && has(line, "glm::vec<") && has(line, "double");
+}
+
+class Shortening {
+ public:
+  void add(const std::string& line) {
+    if (isCandidateOfLibrary(line)) {
+      hiding_ = true;
+      ++hidden_;
+    } else if (beginsDiagnostic(line)) {
+      endOfDiagnostic();
+      hint_ = mixesDoubleWithVector(line);
+    }
+    // Belongs to what comes next.
+    if (tellsWhereIncluded(line)) {
+      included_ += line + '\n';
+      return;
+    }
+    if (!hiding_) text_ += included_ + line + '\n';
+    included_.clear();
+  }
+
+  std::string text() {
+    endOfDiagnostic();
+    return text_ + included_;
+  }
+
+ private:
+  void endOfDiagnostic() {
+    if (hidden_ > 0)
+      text_ += fmt::format("  ({} function{} of libraries that {} not fit either)\n", hidden_,
+                           hidden_ == 1 ? "" : "s", hidden_ == 1 ? "does" : "do");
+    if (hint_) text_ += kFloatHint;
+    hiding_ = hint_ = false;
+    hidden_ = 0;
+  }
+
+  std::string text_, included_;
+  bool hiding_ = false, hint_ = false;
+  int hidden_ = 0;
+};
+
+}  // namespace
+
+std::string shortCompilerWords(const std::string& output) {
+  Shortening shortening;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) shortening.add(line);
+  return shortening.text();
+}
+
+}  // namespace pathmark
