@@ -20,32 +20,46 @@ namespace {
 
 constexpr double kDelta = 0.005, kTolerance = 1e-4;
 
+// A receiver that emits must be met in the scene: a call alone tells nothing of its emission. So a
+// ray meets it along -wo, and the path tracer's stand-in asks for direct light there.
+Words wordsOf(const LitRoom& room, const FlatScene& flat) {
+  constexpr float kDistance = 0.5f;
+  constexpr int kBounces = 1;
+  const Receiver& x = room.receiver;
+  if (x.emits()) return Words().add(Ray{x.p + kDistance * x.wo, -x.wo}, kBounces);
+  return Words().add(x.p, x.n, room.rounding(), flat.materials.size() - 1, x.wo);
+}
+
 std::vector<Estimate> estimate(CheckRun& run, const LitRoom& room, std::uint64_t seed,
                                std::uint32_t replicates, std::uint32_t rays) {
   const FlatScene flat = room.flat();
   run.worker.loadScene(flat);
   EstimateRequest request;
-  request.function = static_cast<std::uint32_t>(CourseworkFunction::kDirectLighting);
+  request.function = static_cast<std::uint32_t>(
+      room.receiver.emits() ? CourseworkFunction::kTracePath : CourseworkFunction::kDirectLighting);
   request.seed = seed;
   request.replicates = replicates;
   request.calls = 1;
   request.rays = rays;
-  const Receiver& x = room.receiver;
-  return run.worker.estimate(
-      request, Words().add(x.p, x.n, room.rounding(), flat.materials.size() - 1, x.wo).words());
+  return run.worker.estimate(request, wordsOf(room, flat).words());
 }
 
 struct Suspect {
   const char* mistake;
-  Kernel kernel;           // per unit area, as LightTerms says
-  int albedos = 1;         // how often Kd is a factor
-  bool ofScreens = false;  // says something only where screens are
+  Kernel kernel;                           // per unit area, as LightTerms says
+  int albedos = 1;                         // how often Kd is a factor
+  bool (*isOf)(const LitRoom&) = nullptr;  // says something only where there is such a room
+  bool ownEmission = false;                // the receiver's is added
 };
+
+bool hasScreens(const LitRoom& room) { return !room.screens.empty(); }
+bool hasSeveralLights(const LitRoom& room) { return room.lights.size() > 1; }
 
 double over(const LightTerms& t) { return 1.0 / (t.distance * t.distance); }
 
 constexpr Suspect kSuspects[] = {
-    {"no light arrives at all: the visibility test the wrong way round, or the sign of a cosine",
+    {"no light arrives at all: the visibility test the wrong way round, the sign of a cosine, or "
+     "the first light is left out",
      [](const LightTerms&) { return 0.0; }},
     {"the density of the sample is not divided out",
      [](const LightTerms& t) { return rightKernel(t) * t.density; }},
@@ -78,7 +92,7 @@ constexpr Suspect kSuspects[] = {
      [](const LightTerms& t) {
        return t.open ? 0.0 : t.brdf * t.cosX * t.cosY / (t.distance * t.distance);
      },
-     1, true},
+     1, hasScreens},
     {"points are drawn again until one is visible: hidden ones must count, with 0",
      [](const LightTerms& t) { return t.openShare > 0.0 ? rightKernel(t) / t.openShare : 0.0; }},
     {"the sum over the lights is divided by their number, or the probability of choosing one is "
@@ -90,6 +104,11 @@ constexpr Suspect kSuspects[] = {
      [](const LightTerms& t) { return t.light == 0 ? rightKernel(t) : 0.0; }},
     {"only the last light shines: what each sends must be added",
      [](const LightTerms& t) { return t.light + 1 == t.lightCount ? rightKernel(t) : 0.0; }},
+    {"the first light is left out",
+     [](const LightTerms& t) { return t.light == 0 ? 0.0 : rightKernel(t); }, 1, hasSeveralLights},
+    {"the emission of the surface itself is added: directLighting is the light that arrives and is "
+     "scattered once",
+     rightKernel, 1, nullptr, true},
 };
 
 // What was measured in a case.
@@ -127,16 +146,20 @@ Match compare(const glm::dvec3& suspected, const DirectCase& c, const Measured& 
 
 glm::dvec3 suspectedRadiance(const Suspect& suspect, const DirectCase& c) {
   const glm::dvec3 radiance = radianceBy(suspect.kernel, c.room), kd(kReceiverKd);
+  if (suspect.ownEmission) return radiance + glm::dvec3(c.room.receiver.emission);
   return suspect.albedos == 0 ? radiance / kd : suspect.albedos == 2 ? radiance * kd : radiance;
 }
 
 // The one mistake that explains all cases, some of them by being wrong.
 std::string causeOf(CheckRun& run, const std::vector<DirectCase>& cases) {
-  const bool screens = std::any_of(cases.begin(), cases.end(),
-                                   [](const DirectCase& c) { return !c.room.screens.empty(); });
+  const auto saysSomething = [&](const Suspect& suspect) {
+    return suspect.isOf == nullptr ||
+           std::any_of(cases.begin(), cases.end(),
+                       [&](const DirectCase& c) { return suspect.isOf(c.room); });
+  };
   std::array<Match, std::size(kSuspects)> matches;
   for (std::size_t k = 0; k < matches.size(); ++k)
-    matches[k] = kSuspects[k].ofScreens && !screens ? Match::kNo : Match::kLikeRight;
+    matches[k] = saysSomething(kSuspects[k]) ? Match::kLikeRight : Match::kNo;
   for (const DirectCase& c : cases) {
     if (!c.comparable) continue;
     const Measured measured = measureOnce(run, c);

@@ -116,11 +116,24 @@ std::string RoomLight::text() const {
   return fmt::format("{}, Le = {}", shape, checks::text(emission));
 }
 
+std::vector<Point> Receiver::square() const {
+  constexpr double kHalf = 0.25;
+  const DoubleFrame frame{glm::dvec3(n)};
+  const auto corner = [&](double a, double b) {
+    return Point(glm::dvec3(p) + kHalf * (a * frame.u + b * frame.v));
+  };
+  // v = n x u, so that u, v runs counter-clockwise seen from n.
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+}
+
 std::string Receiver::text() const {
-  return fmt::format("x = {}, n = {}, wo = {}, BRDF {}, Kd = {}", checks::text(p), checks::text(n),
-                     checks::text(wo),
-                     lopsided ? "Kd/pi (0.2 + 0.5 cos(wo)^2 + 0.4 cos(wi))" : "Kd/pi",
-                     checks::text(kReceiverKd));
+  std::string result = fmt::format("x = {}, n = {}, wo = {}, BRDF {}, Kd = {}", checks::text(p),
+                                   checks::text(n), checks::text(wo),
+                                   lopsided ? "Kd/pi (0.2 + 0.5 cos(wo)^2 + 0.4 cos(wi))" : "Kd/pi",
+                                   checks::text(kReceiverKd));
+  if (emits())
+    result += fmt::format("; the surface at x is itself a light, Le = {}", checks::text(emission));
+  return result;
 }
 
 FlatScene LitRoom::flat() const {
@@ -133,8 +146,12 @@ FlatScene LitRoom::flat() const {
       builder.polygon(surface, light.vertices);
   }
   for (const auto& screen : screens) builder.polygon({.kd = Colour(0.5f)}, screen);
-  builder.material(
-      {.kd = kReceiverKd, .ks = Colour(receiver.lopsided ? 0.05f : 0.0f), .exponent = 1.0f});
+  const Surface ofReceiver{.kd = kReceiverKd,
+                           .emission = receiver.emission,
+                           .ks = Colour(receiver.lopsided ? 0.05f : 0.0f),
+                           .exponent = 1.0f};
+  if (receiver.emits()) builder.polygon(ofReceiver, receiver.square());
+  builder.material(ofReceiver);
   return builder.camera({0, 0, 3}, {0, 0, 0}, 0.8, 8, 8).flat();
 }
 
@@ -150,6 +167,8 @@ float LitRoom::rounding() const {
   }
   return 4.0f * 0x1p-24f * largest;
 }
+
+std::size_t LitRoom::lightCount() const { return lights.size() + (receiver.emits() ? 1 : 0); }
 
 std::string LitRoom::text() const {
   std::string result = receiver.text();
@@ -188,7 +207,7 @@ glm::dvec3 radianceBy(Kernel kernel, const LitRoom& room) {
       t.open = patch.open;
       t.openShare = light.open;
       t.light = k;
-      t.lightCount = room.lights.size();
+      t.lightCount = room.lightCount();
       integral += kernel(t) * patch.area;
     }
     sum += integral * glm::dvec3(light.emission);

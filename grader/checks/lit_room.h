@@ -37,6 +37,12 @@ struct Receiver {
   Vector n, wo;
   bool lopsided = false;
 
+  // Where it is not black the receiver is a small square of the scene, and its last light: one that
+  // sends nothing to itself.
+  Colour emission{0.0f};
+
+  bool emits() const { return emission != Colour(0.0f); }
+  std::vector<Point> square() const;
   std::string text() const;
 };
 
@@ -47,8 +53,9 @@ struct LitRoom {
   std::vector<std::vector<Point>> screens;
   Receiver receiver;
 
-  FlatScene flat() const;  // the receiver's material is the last one
-  float rounding() const;  // for Hit::error
+  FlatScene flat() const;          // the receiver's material is the last one
+  float rounding() const;          // for Hit::error
+  std::size_t lightCount() const;  // with the receiver, if it emits
   std::string text() const;
 };
 

@@ -262,6 +262,27 @@ Finding meanIsOfAllRays(CheckRun& run) {
   return exact.finding();
 }
 
+// Whether so many rays go through the same point of their stratum, from (0, 0) to (1, 1).
+bool goThrough(double point, const PixelQuestion& question, const RecordedPixel& pixel, int n) {
+  const auto isThere = [&](const RecordedRay& ray) {
+    const glm::dvec2 off = question.placeOf(ray) * double(n) - point;
+    const glm::dvec2 fromNearest = glm::abs(off - glm::round(off));
+    return std::max(fromNearest.x, fromNearest.y) <= question.tolerance() * n;
+  };
+  return std::ranges::count_if(pixel.rays, isThere) >= n * n;
+}
+
+// With random numbers, of which no ray would be at such a point.
+std::string causeOfUnevenRays(const PixelQuestion& question, const RecordedPixel& pixel, int n) {
+  for (const auto& [point, name] : {std::pair{0.5, "middle"}, {0.0, "corner"}})
+    if (goThrough(point, question, pixel, n))
+      return fmt::format(
+          "no jitter: each ray of the strata goes through the {} of its stratum; s and t must be "
+          "random numbers of the sampler",
+          name);
+  return {};
+}
+
 // Places within the strata, and within the pixel: both are uniform, for rays of the strata and for
 // the remaining ones alike.
 Finding raysAreSpreadEvenly(CheckRun& run) {
@@ -331,6 +352,10 @@ Finding raysAreSpreadEvenly(CheckRun& run) {
   Finding finding = judgeMeans(
       run, means, measure, fmt::format("{} rays, {} of them in strata", kRays, kStrata * kStrata),
       suspicions);
+  if (!finding.passed() && finding.cause.empty()) {
+    const PixelQuestion question = somePixel(1, kRays, run.seed);
+    finding.cause = causeOfUnevenRays(question, question.ask(run.worker), kStrata);
+  }
   finding.calls = calls;
   return finding;
 }

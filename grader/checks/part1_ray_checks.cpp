@@ -112,8 +112,11 @@ Finding filmPointIsRight(CheckRun& run) {
       "its range by itself",
       "half a pixel is added: the ray goes through the middle of the pixel's range by itself",
       "k / n and l / n are divided as integers, which gives 0",
+      "k / n is divided as integers, which gives 0",
+      "l / n is divided as integers, which gives 0",
       "k, l and n are ignored: the ray goes anywhere in the pixel",
       "i and j are swapped: i is the column, counted along pixelRight",
+      "x and y are swapped: i, k and s count along pixelRight, j, l and t along pixelDown",
       "k and l are swapped: k is the column of the stratum",
       "s is used for both axes",
       "t is used for both axes",
@@ -138,14 +141,16 @@ Finding filmPointIsRight(CheckRun& run) {
       const glm::dvec3 there = towards(camera, in), eye(camera.eye());
       const glm::dvec2 added = filmPoint(camera, Vector(glm::normalize(there + eye))),
                        taken = filmPoint(camera, Vector(glm::normalize(there - eye)));
-      exact.value("film x = i + (k + s)/n", film.x, x, allowed, where,
-                  {x - 0.5, x + 0.5, i + s / n, i + s, j + (k + s) / n, i + (l + s) / n, x,
-                   i + (k + t) / n, i + (k + t) / n, i + (k + 0.5) / n, i + k / n, i + k / n + s,
-                   i + (k + s / n) / n, i + (k + 0.25 + 0.5 * s) / n, added.x, taken.x});
-      exact.value("film y = j + (l + t)/n", film.y, y, allowed, where,
-                  {y - 0.5, y + 0.5, j + t / n, j + t, i + (l + t) / n, j + (k + t) / n,
-                   j + (l + s) / n, y, j + (l + s) / n, j + (l + 0.5) / n, j + l / n, j + l / n + t,
-                   j + (l + t / n) / n, j + (l + 0.25 + 0.5 * t) / n, added.y, taken.y});
+      exact.value(
+          "film x = i + (k + s)/n", film.x, x, allowed, where,
+          {x - 0.5, x + 0.5, i + s / n, i + s / n, x, i + s, j + (k + s) / n, y, i + (l + s) / n, x,
+           i + (k + t) / n, i + (k + t) / n, i + (k + 0.5) / n, i + k / n, i + k / n + s,
+           i + (k + s / n) / n, i + (k + 0.25 + 0.5 * s) / n, added.x, taken.x});
+      exact.value(
+          "film y = j + (l + t)/n", film.y, y, allowed, where,
+          {y - 0.5, y + 0.5, j + t / n, y, j + t / n, j + t, i + (l + t) / n, x, j + (k + t) / n,
+           j + (l + s) / n, y, j + (l + s) / n, j + (l + 0.5) / n, j + l / n, j + l / n + t,
+           j + (l + t / n) / n, j + (l + 0.25 + 0.5 * t) / n, added.y, taken.y});
     }
   }
   return exact.finding();

@@ -96,6 +96,15 @@ Finding inwardSpheres(CheckRun& run) {
   return judgeCases(run, cases);
 }
 
+// The receiver is a light too, about as bright as what it reflects of the other one. What it sends
+// towards wo by itself is not scattered: tracePath adds it.
+DirectCase receiverThatEmits(Random& random) {
+  LitRoom room{{}, {}, kBelowPlainLight};
+  room.lights.push_back(lightAround(random, room.receiver, LightShape::kParallelogram, 0, 1));
+  room.receiver.emission = Colour(0.25f, 0.5f, 0.75f);
+  return caseOf(room, 256);
+}
+
 // Two light a receiver from the front, one of five has turned its back on it.
 Finding severalLights(CheckRun& run) {
   std::vector<DirectCase> cases;
@@ -110,6 +119,7 @@ Finding severalLights(CheckRun& run) {
     if (count == 5) std::reverse(room.lights[3].vertices.begin(), room.lights[3].vertices.end());
     cases.push_back(caseOf(room, 256));
   }
+  cases.push_back(receiverThatEmits(random));
   return judgeCases(run, cases);
 }
 
@@ -260,8 +270,10 @@ std::vector<Check> directLightingChecks() {
        "the radiance depends on the numbers from the sampler and on nothing else, and is "
        "proportional to the emission",
        0.0, isAFunctionOfItsNumbers, rectangle},
-      {"lights", kDirect, "of several lights the sum arrives, whichever of them are sampled", 0.005,
-       severalLights, both},
+      {"lights", kDirect,
+       "of several lights the sum arrives, whichever of them are sampled, and what the surface "
+       "itself emits is no part of it",
+       0.005, severalLights, both},
       {"polygon", kDirect, "the light of a polygon that arrives, reflected by the BRDF", 0.005,
        polygonLights<LightShape::kPolygon>, polygon},
       {"sphere", kDirect, "the light of a sphere that arrives, reflected by the BRDF", 0.005,

@@ -144,7 +144,8 @@ Finding directionsAreValid(CheckRun& run) {
   for (int again = 0; again < 2; ++again)
     for (const Input& in : inputs) calls.add(in.wo, in.n, in.s, in.t, in.u);
   const Results results = calls.run(run.worker);
-  Exact exact;
+  Exact exact{"the sine is taken of sqrt(1 - t): sqrt(1 - t) is sin(theta) already",
+              "the sine is 1 - t, without its root", "the cosine is t, without its root"};
   exact.count(results.count());
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& in = inputs[i];
@@ -167,7 +168,10 @@ Finding directionsAreValid(CheckRun& run) {
         },
         where);
     if (pdf == 0.0) continue;
-    exact.unit("wi", wi, where);
+    const double t = in.t, sine = std::sqrt(1.0 - t);
+    exact.value("length of wi", glm::length(glm::dvec3(wi)), 1.0, 8.0 * kRoundoff, where,
+                {std::hypot(std::sqrt(t), std::sin(sine)), std::hypot(std::sqrt(t), 1.0 - t),
+                 std::hypot(t, sine)});
     exact.holds(glm::dot(glm::dvec3(wi), glm::dvec3(in.n)) > -8.0 * kRoundoff,
                 "wi above the surface, or pdf = 0", got, where);
   }

@@ -16,6 +16,9 @@ inline constexpr std::array kExponents{1.0f, 10.0f, 3.7f, 0.5f, 0.0f, 100.0f, 1e
 
 inline const Colour kKd(0.25f, 0.4f, 0.1f), kKs(0.6f, 0.3f, 0.2f), kBlack(0.0f);
 
+// Why a density of wi, or wi itself, is no number; empty where nothing tells.
+std::string causeOfNoNumber(const PhongLobes& lobes, const Vector& wi);
+
 Finding valueIsTheFormula(CheckRun& run);
 
 Finding densityIsADensity(CheckRun& run);

@@ -15,6 +15,24 @@ constexpr double kPiD = std::numbers::pi;
 // A lobe is left out of a sum where its density is smaller than this.
 constexpr double kNothing = 1e-6;
 
+}  // namespace
+
+std::string causeOfNoNumber(const PhongLobes& lobes, const Vector& wi) {
+  // A roundoff of the vectors moves the cosine by about 1e-7.
+  constexpr double kNear = 1e-5;
+  if (!std::isfinite(wi.x + wi.y + wi.z)) return {};
+  const double cosAlpha = lobes.cosAlpha(glm::normalize(glm::dvec3(wi)));
+  if (cosAlpha < -kNear)
+    return "NaN: a logarithm or power of a negative number; beyond 90 degrees of the mirror "
+           "direction the lobe is 0";
+  if (cosAlpha < kNear)
+    return "NaN: a logarithm or power of a negative number; near 90 degrees of the mirror "
+           "direction rounding makes the cosine negative or 0";
+  return {};
+}
+
+namespace {
+
 class DensityJudge {
  public:
   explicit DensityJudge(CheckRun& run) : run_(run) {}
@@ -72,7 +90,11 @@ class DensityJudge {
         [&] { return fmt::format("Kd = Ks = 0, wo = {}, wi = n = {}", text(wo), text(n)); });
   }
 
-  Finding finding() const { return exact_.finding(); }
+  Finding finding() const {
+    Finding result = exact_.finding();
+    if (!cause_.empty()) result.cause = cause_;
+    return result;
+  }
 
  private:
   // Asked for twice, the second time in the opposite order. Empty after a value that is none.
@@ -93,8 +115,11 @@ class DensityJudge {
         return fmt::format("wo = {}, wi = {}, n = {}, {}", text(wo), text(Vector(nodes[i].wi)),
                            text(n), material.text());
       };
-      if (!exact_.holds(std::isfinite(x) && x >= 0.0, "a density, at least 0", got, where))
+      if (!exact_.holds(std::isfinite(x) && x >= 0.0, "a density, at least 0", got, where)) {
+        if (std::isnan(x))
+          cause_ = causeOfNoNumber(PhongLobes(wo, n, material.exponent), Vector(nodes[i].wi));
         return {};
+      }
       if (i < kRepeated &&
           !exact_.holds(results.same(i, nodes.size() + kRepeated - 1 - i),
                         "the same density again for the same directions", got, where))
@@ -105,6 +130,7 @@ class DensityJudge {
   }
 
   CheckRun& run_;
+  std::string cause_;  // of a density that is none
   Exact exact_{"m + 2 stands where m + 1 belongs: m + 2 is the BRDF's",
                "the densities of the lobes are added without their probabilities",
                "everything is halved: the probabilities of the lobes add up to 1 already",

@@ -36,9 +36,9 @@ std::vector<Input> edgeInputs(std::uint64_t seed) {
   return inputs;
 }
 
-// Whether it is worth going on.
+// Whether it is worth going on. `cause`: of what is no number.
 bool judgeEdges(CheckRun& run, const PhongMaterial& material, const std::vector<Input>& inputs,
-                Exact& exact) {
+                Exact& exact, std::string& cause) {
   Calls calls(F::kPhongReflection, material.words());
   for (const Input& in : inputs) calls.add(in.wo, in.n, in.s, in.t, in.u);
   for (auto in = inputs.rbegin(); in != inputs.rend(); ++in)
@@ -52,8 +52,11 @@ bool judgeEdges(CheckRun& run, const PhongMaterial& material, const std::vector<
     const double pdf = results.number(i, 3);
     const auto got = [&] { return fmt::format("wi = {}, pdf = {:.6g}", text(wi), pdf); };
     if (!exact.holds(results.finite(i) && pdf >= 0.0, "finite numbers, a density of at least 0",
-                     got, where))
+                     got, where)) {
+      if (std::isnan(pdf))
+        cause = causeOfNoNumber(PhongLobes(inputs[i].wo, inputs[i].n, material.exponent), wi);
       return false;
+    }
     const std::size_t again = results.count() - 1 - i;
     if (!exact.holds(
             results.same(i, again),
@@ -126,12 +129,17 @@ std::vector<Configuration> configurations() {
 
 Finding directionsAreValid(CheckRun& run) {
   const std::vector<Input> inputs = edgeInputs(run.seed);
-  Exact exact;
-  for (const float exponent : kExponents)
-    if (!judgeEdges(run, {kKd, kKs, exponent}, inputs, exact)) return exact.finding();
+  std::vector<PhongMaterial> materials;
+  for (const float exponent : kExponents) materials.push_back({kKd, kKs, exponent});
   for (const auto& [kd, ks] : {std::pair{kBlack, kKs}, {kKd, kBlack}, {kBlack, kBlack}})
-    if (!judgeEdges(run, {kd, ks, 3.7f}, inputs, exact)) break;
-  return exact.finding();
+    materials.push_back({kd, ks, 3.7f});
+  Exact exact;
+  std::string cause;
+  for (const PhongMaterial& material : materials)
+    if (!judgeEdges(run, material, inputs, exact, cause)) break;
+  Finding finding = exact.finding();
+  if (!cause.empty()) finding.cause = cause;
+  return finding;
 }
 
 // Kd has a colour in one channel only, Ks in the other two.

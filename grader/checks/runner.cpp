@@ -215,6 +215,13 @@ Whole linkWhole(const CourseworkResults& results, const CourseworkBuild& build,
   return whole;
 }
 
+bool isWrong(Status status) { return status == Status::kFail || status == Status::kBroken; }
+
+bool anyWrong(std::span<const CheckResult> results) {
+  return std::any_of(results.begin(), results.end(),
+                     [](const CheckResult& r) { return isWrong(r.finding.status); });
+}
+
 void checkImages(CourseworkResults& results, Whole& whole, const Selection& selection,
                  stats::ErrorBudget& budget, RunProgress& progress) {
   for (const Check& check : imageChecks()) {
@@ -234,6 +241,8 @@ void checkImages(CourseworkResults& results, Whole& whole, const Selection& sele
       result.finding.fault = whole.fault;
     }
     result.seconds = secondsSince(started);
+    // Of pictures that are wrong it says nothing how much noise they have.
+    if (anyWrong(results.images)) result.finding.remark.clear();
     results.images.push_back(std::move(result));
     progress.done();
   }
@@ -373,16 +382,13 @@ const FunctionResult* CourseworkResults::find(CourseworkFunction function) const
 }
 
 bool CourseworkResults::anythingWrong() const {
-  const auto wrong = [](Status s) { return s == Status::kFail || s == Status::kBroken; };
   for (const PartResult& part : parts) {
     if (!part.failure.empty()) return true;
     for (const FunctionResult& f : part.functions)
-      if (wrong(f.status)) return true;
+      if (isWrong(f.status)) return true;
   }
-  return std::any_of(images.begin(), images.end(),
-                     [&](const CheckResult& r) { return wrong(r.finding.status); }) ||
-         std::any_of(scenes.begin(), scenes.end(),
-                     [&](const SceneFinding& s) { return wrong(s.status); });
+  return anyWrong(images) || std::any_of(scenes.begin(), scenes.end(),
+                                         [](const SceneFinding& s) { return isWrong(s.status); });
 }
 
 CourseworkResults runChecks(const CourseworkBuild& build, const Selection& selection,

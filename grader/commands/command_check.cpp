@@ -53,7 +53,10 @@ void print(const std::string& text) {
 // For the function that is to be mended or written next.
 void printHints(const checks::CourseworkResults& results, int count) {
   const checks::FunctionResult* next = report::nextFunction(results);
-  if (next == nullptr) return print("\nNo hint is needed: nothing is wrong or missing here.\n");
+  if (next == nullptr)
+    return print(results.anythingWrong()
+                     ? "\nHints are for functions: none of those is wrong or missing here.\n"
+                     : "\nNo hint is needed: nothing is wrong or missing here.\n");
   print(fmt::format("\nHints for {} {}:\n", next->function.section, next->function.name));
   const std::vector<std::string> hints = hintsFor(next->function);
   const auto shown = std::min(static_cast<std::size_t>(count), hints.size());
@@ -98,6 +101,21 @@ std::string warningsOfWhatIsWrong(const checks::CourseworkResults& results,
   return text.empty() ? text : "\nThe compiler warns:" + text;
 }
 
+bool hasWrongPicture(const checks::CourseworkResults& results) {
+  return std::any_of(results.images.begin(), results.images.end(), [](const auto& picture) {
+    return picture.finding.status == checks::Status::kFail ||
+           picture.finding.status == checks::Status::kBroken;
+  });
+}
+
+// Of a whole check whose functions leave nothing to do: that is not all yet.
+std::string announcementOfPictures(const checks::CourseworkResults& results,
+                                   const CheckArguments& arguments,
+                                   const std::filesystem::path& folder) {
+  if (!arguments.what.empty() || !report::whatIsNext(results, folder).empty()) return {};
+  return "The pictures come last: they show whether the parts fit together.\n";
+}
+
 int checkOnce(CheckSession& session, Screen& screen, const CheckArguments& arguments,
               const std::filesystem::path& folder, const std::function<bool()>& goOn) {
   const report::Style style{showsColour(), arguments.with};
@@ -111,13 +129,15 @@ int checkOnce(CheckSession& session, Screen& screen, const CheckArguments& argum
   const CourseworkBuild build = buildCoursework(folder, Incomplete::kCompileOnly);
   events.onFunctions = [&](const checks::CourseworkResults& results) {
     screen.clear();
-    print(report::headline(results, folder) + report::functionLines(results, style) +
-          warningsOfWhatIsWrong(results, build));
+    print(report::headline(results, folder) + announcementOfPictures(results, arguments, folder) +
+          report::functionLines(results, style) + warningsOfWhatIsWrong(results, build));
     functionsShown = true;
   };
   const checks::CourseworkResults& results = session.run(build, events);
   screen.clear();
   print(report::imageLines(results, style) + report::sceneLines(results, style));
+  // The headline above was made before there were pictures.
+  if (hasWrongPicture(results)) print("\n" + report::headline(results, folder));
   if (arguments.hints > 0) printHints(results, arguments.hints);
   if (!arguments.json.empty()) report::writeJson(results, arguments.json);
   if (interrupted() && !arguments.watch) {

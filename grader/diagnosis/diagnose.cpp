@@ -66,9 +66,9 @@ std::string evidenceFor(const Signature& seen, const KnownSignature& mistake,
         fmt::format("{} (right: {}; with this mistake: {}). ", asSeen(features[k]),
                     inWords(features[k], right.values[k]), inWords(features[k], mistake.values[k]));
   return text + fmt::format(
-                    "Of {} things that were measured {} are not right, and all of them "
-                    "agree with this mistake.",
-                    features.size(), wrong);
+                    "Of {} things that were measured {} not right, and all of them agree with "
+                    "this mistake.",
+                    features.size(), wrong == 1 ? "1 is" : fmt::format("{} are", wrong));
 }
 
 std::string sentences(const std::vector<const KnownSignature*>& mistakes) {

@@ -120,6 +120,31 @@ Counts count(const CourseworkResults& results) {
   return counts;
 }
 
+bool isWrongPicture(const CheckResult& picture) {
+  return picture.finding.status == Status::kFail || picture.finding.status == Status::kBroken;
+}
+
+// "5 of 9 pictures are wrong"; empty where none is.
+std::string wrongPictures(const CourseworkResults& results) {
+  const auto wrong = std::count_if(results.images.begin(), results.images.end(), isWrongPicture);
+  if (wrong == 0) return {};
+  return fmt::format("{} of {} pictures {} wrong", wrong, results.images.size(),
+                     wrong == 1 ? "is" : "are");
+}
+
+// A picture names no function: all that is known is where the parts agree with their own checks.
+std::string whatIsNextOfPictures(const CourseworkResults& results) {
+  const auto wrong = std::find_if(results.images.begin(), results.images.end(), isWrongPicture);
+  if (wrong == results.images.end()) return {};
+  const std::string_view why = count(results).all > 0
+                                   ? "the parts agree with their own checks, but not together"
+                                   : "./pathmark check says whether the parts are right one by one";
+  return fmt::format(
+      "look into {}, the first picture that is wrong: {}. ./pathmark preview shows the picture, "
+      "./pathmark compare how one differs from its reference.",
+      idOf(*wrong->check), why);
+}
+
 }  // namespace
 
 std::string wrapped(std::string_view words, std::size_t indent) {
@@ -164,12 +189,17 @@ const FunctionResult* nextFunction(const CourseworkResults& results) {
 
 std::string standing(const CourseworkResults& results, const std::filesystem::path& folder) {
   const Counts counts = count(results);
+  const std::string pictures = wrongPictures(results);
+  const std::string ending = fmt::format(" (seed {}, {:.1f} s).", results.seed, results.seconds);
+  if (counts.all == 0 && !pictures.empty())
+    return fmt::format("{}: {}{}", displayPath(folder), pictures, ending);
   std::string text = fmt::format("{}: {} of {} functions are right", displayPath(folder),
                                  counts.right, counts.all);
   if (counts.wrong > 0) text += fmt::format(", {} wrong", counts.wrong);
   if (counts.unwritten > 0) text += fmt::format(", {} not written", counts.unwritten);
   if (counts.other > 0) text += fmt::format(", {} blocked or undecided", counts.other);
-  return text + fmt::format(" (seed {}, {:.1f} s).", results.seed, results.seconds);
+  if (!pictures.empty()) text += fmt::format(", but {}", pictures);
+  return text + ending;
 }
 
 std::string whatIsNext(const CourseworkResults& results, const std::filesystem::path& folder) {
@@ -178,14 +208,15 @@ std::string whatIsNext(const CourseworkResults& results, const std::filesystem::
       return fmt::format("mend {}, which {}.", displayPath(folder / part.part.file),
                          part.failure.substr(0, part.failure.find(':')));
   const FunctionResult* next = nextFunction(results);
-  if (next == nullptr) return {};
+  if (next == nullptr) return whatIsNextOfPictures(results);
   return fmt::format("{} {}", next->status == Status::kNotWritten ? "write" : "mend",
                      placeOf(next->function, folder));
 }
 
 std::string headline(const CourseworkResults& results, const std::filesystem::path& folder) {
   const auto failed = [](const PartResult& part) { return !part.failure.empty(); };
-  if (count(results).all == 0 && std::none_of(results.parts.begin(), results.parts.end(), failed))
+  if (count(results).all == 0 && wrongPictures(results).empty() &&
+      std::none_of(results.parts.begin(), results.parts.end(), failed))
     return {};
   std::string text = standing(results, folder) + "\n";
   const std::string next = whatIsNext(results, folder);

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kWarmUp = "part0_warmup.cpp";
 constexpr const char* kStratified = "part1_stratified.cpp";
+constexpr const char* kLights = "part2_lights.cpp";
 constexpr const char* kLambertian = "part3_lambertian.cpp";
 constexpr const char* kPhong = "part4_phong.cpp";
 constexpr const char* kPath = "part5_path.cpp";
@@ -123,6 +124,64 @@ TEST_F(CheckCauses, RandomNumbersOfReflectionsOwnAreNamed) {
 TEST_F(CheckCauses, AMeanThatMustVanishIsExpectedToBeZero) {
   copy_.replace(kPhong, "onUnitCircle(s)", "onUnitCircle(u + 0.0f * s)");
   expectSaid("4.3/samples", "component in the plane of incidence = 0 ");
+}
+
+TEST_F(CheckCauses, TheEmissionOfTheSurfaceItselfIsNoDirectLight) {
+  copy_.replace(kLights, "  return radiance;\n", "  return radiance + hit.emitted(wo);\n");
+  expectSaid("2.6/lights", "the emission of the surface itself is added");
+}
+
+TEST_F(CheckCauses, AFirstLightThatIsLeftOutIsNamedWithOneLightAndWithSeveral) {
+  copy_.replace(kLights, "kFew = 2", "kFew = 64");
+  copy_.replace(kLights, "  for (const Light& light : lights())\n    radiance +=",
+                "  for (const Light& light : lights().subspan(lights().empty() ? 0 : 1))\n"
+                "    radiance +=");
+  expectSaid("2.6/rectangle", "or the first light is left out");
+  expectSaid("2.6/lights", "likely the first light is left out");
+}
+
+TEST_F(CheckCauses, AMeanOverTheLightsMayBeAChoiceWithoutItsProbability) {
+  copy_.replace(kLights, "kFew = 2", "kFew = 64");
+  copy_.replace(kLights, "  return radiance;\n",
+                "  return lights().empty() ? radiance : radiance / float(lights().size());\n");
+  expectSaid("2.6/lights",
+             "the sum over the lights is divided by their number, or the probability of choosing "
+             "one is not divided out");
+}
+
+TEST_F(CheckCauses, AFilmPointWithItsAxesSwappedOrAnIntegerDivisionIsNamed) {
+  const CourseworkCopy before;
+  copy_.replace(kStratified, "x * pixelRight() + y * pixelDown()",
+                "y * pixelRight() + x * pixelDown()");
+  expectSaid("1.1/film-point", "x and y are swapped");
+  fs::copy_file(before.file(kStratified), copy_.file(kStratified),
+                fs::copy_options::overwrite_existing);
+  copy_.replace(kStratified, "(static_cast<float>(k) + s) / strata",
+                "static_cast<float>(k / n) + s / strata");
+  expectSaid("1.1/film-point", "likely k / n is divided as integers");
+}
+
+TEST_F(CheckCauses, JitterThatIsLeftOutIsNamed) {
+  copy_.replace(kStratified, "m / n, n, jitter.x, jitter.y)", "m / n, n, 0.5f, 0.5f)");
+  expectSaid("1.2/even", "goes through the middle of its stratum");
+}
+
+TEST_F(CheckCauses, TheSineOfARootIsNamedByTheLengthOfTheDirection) {
+  copy_.replace(kLambertian, "std::sqrt(1.0f - t) * onUnitCircle(s)",
+                "std::sin(std::sqrt(1.0f - t)) * onUnitCircle(s)");
+  expectSaid("3.3/valid", "the sine is taken of sqrt(1 - t)");
+}
+
+TEST_F(CheckCauses, ASpecularLobeAroundTheNormalIsNotTakenForAnUnusedNumber) {
+  copy_.replace(kPhong, "diffuse ? n : normalize(mirror(wo, n))", "n");
+  expectSaid("4.3/samples", "the specular lobe is drawn around n");
+  expectUnsaid("4.3/samples", "u changes nothing");
+}
+
+TEST_F(CheckCauses, ALogarithmNextToNinetyDegreesIsNamed) {
+  copy_.replace(kPhong, "if (oneMinusCos >= 1.0f) return 0.0f;",
+                "if (dot(a, b) <= 0.0f) return 0.0f;");
+  expectSaid("4.3/valid", "NaN: a logarithm or power of a negative number; near 90 degrees");
 }
 
 TEST_F(CheckCauses, ASumThatIsKeptMayHaveNoFirstValue) {

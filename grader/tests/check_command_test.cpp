@@ -90,6 +90,36 @@ TEST(CheckCommand, SaysHowMuchNoiseIsLeft) {
       << result.output;
 }
 
+// What is wrong only with all parts together: no stand-in has the density 1/pi along the normal.
+void spoilTogether(CourseworkCopy& copy) {
+  copy.replace("part5_path.cpp", "throughput * directLighting(hit, wo, sampler);",
+               "throughput * directLighting(hit, wo, sampler) *\n"
+               "(std::abs(hit.brdf->pdf(hit.n, hit.n, hit.n) - kInvPi) < 1e-3f ? 0.5f : 1.0f);");
+}
+
+TEST(CheckCommand, SaysOfPicturesThatAreWrongThatTheyAreAndWhatToDo) {
+  CourseworkCopy copy;
+  spoilTogether(copy);
+  const ProcessResult result = check({"--with", copy.with()});
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_TRUE(std::regex_search(
+      result.output,
+      std::regex("30 of 30 functions are right, but [0-9]+ of 13 pictures are wrong \\(seed")))
+      << result.output;
+  expectHas(result, "Next: look into images/furnace, the first picture that is wrong");
+  expectHas(result, "The pictures come last");
+  expectHas(result, "agree with their own checks, but not together");
+  expectLacks(result, "correct, but noisier");
+}
+
+TEST(CheckCommand, SaysNothingOfTheNoiseOfAWrongPicture) {
+  CourseworkCopy copy;
+  spoilTogether(copy);
+  const ProcessResult noise = check({"images/noise", "--with", copy.with()});
+  expectHas(noise, "variance / that of the reference");
+  expectLacks(noise, "note");
+}
+
 // The floor is seen by the camera; its lamp is missing, or looks away from it, or is there.
 std::string sceneWithLamp(const std::string& lamp) {
   return R"({"caption": "A floor.", "size": [40, 40], "maxBounces": 4, "raysPerPixel": 4,

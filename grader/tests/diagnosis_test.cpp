@@ -45,6 +45,15 @@ TEST(Diagnosis, NamesTheMistakeWhoseFeaturesAllAgree) {
   EXPECT_EQ(d.read, "handouts/part3_lambertian.md, 3.2 lambertianBRDF::pdf");
 }
 
+TEST(Diagnosis, SpeaksOfOneThingInTheSingular) {
+  EXPECT_NE(diagnose(signatureOf({0.4, 0.25, 1.0}), kTwo)
+                .evidence.find("Of 3 things that were measured 1 is not right"),
+            std::string::npos);
+  EXPECT_NE(diagnose(signatureOf({0.6, 0.25, 0.9}), kTwo)
+                .evidence.find("Of 3 things that were measured 2 are not right"),
+            std::string::npos);
+}
+
 TEST(Diagnosis, AnswersQuestionsByYesAndNo) {
   const auto answered = [](bool yes) {
     Signature signature;
