@@ -29,14 +29,18 @@ std::vector<Tile> tilesOf(const Image& image) {
   return tiles;
 }
 
+std::size_t valueAt(const Image& image, int column, int row, int channel) {
+  return 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+              static_cast<std::size_t>(column)) +
+         static_cast<std::size_t>(channel);
+}
+
 // Calls with each value's place in rgb.
 template <class Visit>
 void forEachPixel(const Image& image, const Tile& tile, int channel, Visit visit) {
   for (int row = tile.top; row < tile.bottom; ++row)
     for (int column = tile.left; column < tile.right; ++column)
-      visit(3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                 static_cast<std::size_t>(column)) +
-            static_cast<std::size_t>(channel));
+      visit(valueAt(image, column, row, channel));
 }
 
 // A pixel whose variance is not known has had no two valid replicates: its noise is as large as
@@ -75,13 +79,66 @@ double meanOf(const Image& image, int channel) {
   return meanIn(image, {0, 0, image.width, image.height}, channel);
 }
 
+// What lies in the middle of the values that are not black.
+double medianOf(const Image& image, int channel) {
+  std::vector<float> values;
+  for (std::size_t v = static_cast<std::size_t>(channel); v < image.rgb.size(); v += 3)
+    if (image.rgb[v] > 0.0f) values.push_back(image.rgb[v]);
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return double{*middle};
+}
+
+// The factor by which a pixel counts, so that nothing in or beside it is brighter than white: eyes
+// and screens see no more of a lamp. It comes from the reference alone, and so favours nothing.
+class Whiteness {
+ public:
+  Whiteness(const Image& reference, int channel)
+      : image_(&reference), channel_(channel), white_(kWhite * medianOf(reference, channel)) {}
+
+  double weight(int column, int row) const {
+    double brightest = white_;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, image_->height - 1); ++y)
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, image_->width - 1); ++x)
+        brightest = std::max(brightest, double{image_->rgb[valueAt(*image_, x, y, channel_)]});
+    return brightest > 0.0 ? white_ / brightest : 1.0;
+  }
+
+ private:
+  static constexpr double kWhite = 4.0;  // times what is in the middle
+
+  const Image* image_;
+  int channel_;
+  double white_;
+};
+
+// Both pictures as eyes see them: white where they are brighter.
+void dimLamps(Image& a, Image& b) {
+  const Image reference = b;
+  for (int channel = 0; channel < 3; ++channel) {
+    const Whiteness whiteness(reference, channel);
+    for (int row = 0; row < b.height; ++row)
+      for (int column = 0; column < b.width; ++column) {
+        const auto weight = static_cast<float>(whiteness.weight(column, row));
+        const std::size_t v = valueAt(b, column, row, channel);
+        for (Image* image : {&a, &b}) {
+          image->rgb[v] *= weight;
+          if (!image->variance.empty()) image->variance[v] *= weight * weight;
+        }
+      }
+  }
+}
+
 double rootOf(double square) { return std::sqrt(std::max(square, 0.0)); }
 
 }  // namespace
 
-record::Estimate tileBias(const Image& a, const Image& b) {
+record::Estimate tileBias(const Image& picture, const Image& reference) {
+  Image a = picture, b = reference;
+  dimLamps(a, b);
   const std::array<double, 3> brightnesses{meanOf(b, 0), meanOf(b, 1), meanOf(b, 2)};
-  double sum = 0.0, variance = 0.0, certain = 0.0, count = 0.0;
+  double sum = 0.0, variance = 0.0, certain = 0.0, whole = 0.0;
   for (const Tile& tile : tilesOf(b)) {
     // The three channels come from the same paths, so that their noise may be the same: standard
     // deviations add, and not variances. No dependence has a larger sum.
@@ -89,22 +146,23 @@ record::Estimate tileBias(const Image& a, const Image& b) {
     for (int channel = 0; channel < 3; ++channel) {
       const double brightness = brightnesses[static_cast<std::size_t>(channel)];
       if (brightness <= 0.0) continue;
+      const double own = meanIn(b, tile, channel), size = std::max(own, brightness);
       const Difference d = differenceIn(a, b, tile, channel);
-      const double noise = d.variance / (brightness * brightness);
-      const double square = d.mean * d.mean / (brightness * brightness) - noise;
+      const double noise = d.variance / (size * size);
+      const double square = d.mean * d.mean / (size * size) - noise;
       sum += square;
       // Of a squared normal variable with this noise around its mean.
       deviation += std::sqrt(2.0 * noise * noise + 4.0 * std::max(square, 0.0) * noise);
       // One wild tile makes the variance useless; the others show what they show all the same.
-      const double least = std::abs(d.mean) / brightness - kEveryTile * std::sqrt(noise);
+      const double least = std::abs(d.mean) / size - kEveryTile * std::sqrt(noise);
       certain += least > 0.0 ? least * least : 0.0;
-      ++count;
+      whole += own * own / (size * size);
     }
     variance += deviation * deviation;
   }
-  if (count == 0.0) return {};
-  const double square = sum / count, error = kQuantile * std::sqrt(variance) / count;
-  const double least = std::max(square - error, certain / count);
+  if (whole == 0.0) return {};
+  const double square = sum / whole, error = kQuantile * std::sqrt(variance) / whole;
+  const double least = std::max(square - error, certain / whole);
   return {rootOf(std::max(square, least)), rootOf(least), rootOf(square + error)};
 }
 

@@ -23,9 +23,11 @@ struct Measured {
   std::uint32_t replicates;  // that the variances come from
 };
 
-// Root mean square over tiles and channels of (a - b) / mean of b in that channel, less what noise
-// adds to it: 0.02 means that the picture is off by 2 % of its brightness. Nothing is larger than
-// it is for a picture of the same size that is black where b is not.
+// Root mean square over tiles and channels of (a - b) / size, less what noise adds to it, over that
+// of b / size: 0.02 is that of a picture of which everything is 2 % too bright, 1 that of a black
+// one. Size is that of b in the tile, or its mean over the whole channel where the tile is darker.
+// Pixels count by a factor so small that b is nowhere brighter than four times its median, lamps
+// that are seen least: half a pixel of their edge would count for more than all the rest.
 record::Estimate tileBias(const Image& a, const Image& b);
 
 // (mean of a - mean of b) / mean of b; 0 in a channel in which b is black.

@@ -43,7 +43,8 @@ whole program cannot say which part is wrong. Here each part is linked by itself
 and solutions for the others, so that each mistake meets functions that are right.
 
 *Together* is what the picture of the whole shows: the root mean square over tiles of 8 x 8 pixels,
-relative to the picture's brightness, with what noise adds taken away, and its interval of 99 %.
+each relative to its brightness, or to the picture's where it is darker, over that of a black
+picture, with what noise adds taken away, and its interval of 99 %.
 *Alone* is what the picture with one of the mistakes shows, at least. Pictures have 96 pixels along
 the longer side; those of a whole pair have 2048 rays per pixel, in 32 replicates. Where several
 functions of one part fail, the one with the mistake is called by the others.

@@ -37,7 +37,8 @@ std::string wordsOf(const PictureRecord& picture) {
 bool isWorse(const PictureRecord& a, const PictureRecord& b, const Rubric& rubric) {
   if (a.failure.empty() != b.failure.empty()) return b.failure.empty();
   const double creditA = creditOf(a, rubric), creditB = creditOf(b, rubric);
-  return creditA != creditB ? creditA < creditB : a.bias.low > b.bias.low;
+  if (creditA != creditB) return creditA < creditB;
+  return a.bias.low != b.bias.low ? a.bias.low > b.bias.low : a.bias.value > b.bias.value;
 }
 
 double efficiencyCredit(const record::Estimate& efficiency, const Rubric& rubric) {

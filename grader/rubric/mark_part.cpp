@@ -31,10 +31,22 @@ struct PartMarker {
   MarkLine markEfficiency(const std::vector<MarkLine>& functions) const;
   void markWrong(const FunctionRecord& function, MarkLine& line) const;
   void byConsequence(const std::string& what, double unseen, MarkLine& line) const;
+  void markBlocked(const FunctionRecord& function, MarkLine& line) const;
+  bool onlyPricesAreLost() const;
   std::string whyThereIsNoFile() const;
   double pricesOf(const FunctionRecord& function) const;
   bool allHavePrices(const FunctionRecord& function) const;
 };
+
+// Of these no points are lost.
+bool isRightOrSpared(Verdict verdict) {
+  return verdict == Verdict::kOk || verdict == Verdict::kUndecided ||
+         verdict == Verdict::kInternalError;
+}
+
+std::string pointsInWords(double points) {
+  return fmt::format("{:.3g} point{}", points, points == 1.0 ? "" : "s");
+}
 
 bool isWrong(const CheckRecord& check) { return check.verdict == Verdict::kWrong; }
 
@@ -81,25 +93,48 @@ bool PartMarker::allHavePrices(const FunctionRecord& function) const {
   return anyWrong;
 }
 
+// Whether all that is wrong in the part has a price, which says what it costs.
+bool PartMarker::onlyPricesAreLost() const {
+  bool any = false;
+  for (const FunctionRecord& function : part.functions) {
+    if (function.verdict == Verdict::kBlocked || isRightOrSpared(function.verdict)) continue;
+    if (function.verdict != Verdict::kWrong || !allHavePrices(function)) return false;
+    any = true;
+  }
+  return any;
+}
+
 void PartMarker::markWrong(const FunctionRecord& function, MarkLine& line) const {
   const double left = std::max(line.outOf - pricesOf(function), 0.0);
   if (allHavePrices(function)) {
     line.points = left;
     line.reason = sentence(
-        fmt::format("{}, which costs {:.3g} points", idsOfWrong(function), line.outOf - left));
+        fmt::format("{}, which costs {}", idsOfWrong(function), pointsInWords(line.outOf - left)));
     return;
   }
   byConsequence(idsOfWrong(function), rubric.withoutPicture, line);
-  line.points = std::min(line.points, left);
+  if (line.points <= left) return;
+  line.points = left;
+  line.reason +=
+      fmt::format(" But what has a price of its own costs {}.", pointsInWords(line.outOf - left));
+}
+
+void PartMarker::markBlocked(const FunctionRecord& function, MarkLine& line) const {
+  if (onlyPricesAreLost())
+    line.points = line.outOf;
+  else
+    byConsequence(fmt::format("it could not be checked: {}", blockerOf(function)), 0.0, line);
 }
 
 void PartMarker::byConsequence(const std::string& what, double unseen, MarkLine& line) const {
-  const double credit = std::min(consequence ? consequence->credit : unseen, rubric.wrongAtMost);
+  const double earned = consequence ? consequence->credit : unseen,
+               credit = std::min(earned, rubric.wrongAtMost);
   line.points = credit * line.outOf;
   line.reason =
-      fmt::format("{} {} That earns {} of the points.", sentence(what),
+      fmt::format("{} {} That earns {} of the points{}.", sentence(what),
                   sentence(consequence ? consequence->words : "no picture shows what that does"),
-                  percent(credit));
+                  percent(credit),
+                  credit < earned ? ", the most that what is not known to be right can earn" : "");
 }
 
 std::string PartMarker::whyThereIsNoFile() const {
@@ -120,12 +155,19 @@ MarkLine PartMarker::markFunction(const FunctionContract& contract, double outOf
     line.points = known->credit * outOf;
     line.reason = part.hasFile() ? sentence(known->reason) : whyThereIsNoFile();
   } else if (function.verdict == Verdict::kBlocked) {
-    byConsequence(fmt::format("it could not be checked: {}", blockerOf(function)), 0.0, line);
+    markBlocked(function, line);
   } else {
     markWrong(function, line);
   }
   if (line.points == line.outOf) line.reason = {};
   return line;
+}
+
+std::string whyThereIsNoPicture(const record::PartRecord& part) {
+  for (const record::PictureRecord& picture : part.pictures)
+    if (!picture.failure.empty())
+      return fmt::format(" (no picture of {}: {})", picture.scene, picture.failure);
+  return {};
 }
 
 // An estimator of something else may well be less noisy: efficiency counts as far as the part is
@@ -138,7 +180,8 @@ MarkLine PartMarker::markEfficiency(const std::vector<MarkLine>& functions) cons
   const std::optional<Economy> economy = worstEfficiency(part.pictures, rubric);
   if (!economy && right > 0.0)
     toReview.push_back(
-        fmt::format("Part {}: its efficiency was not measured, which costs no points.", part.part));
+        fmt::format("Part {}: its efficiency was not measured{}, which costs no points.", part.part,
+                    whyThereIsNoPicture(part)));
   line.points = right * (economy ? economy->credit : 1.0) * line.outOf;
   if (line.points == line.outOf) return line;
   if (economy) line.reason = sentence(economy->words);

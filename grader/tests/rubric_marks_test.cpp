@@ -106,9 +106,25 @@ TEST_F(Marking, ChecksWithAPriceCostNoMore) {
   EXPECT_DOUBLE_EQ(lineOf(mark(), "3.3").points, 0.0);
   part(record_, 3).pictures = {picture("a room", {0.0, 0.0, 0.0})};
   EXPECT_DOUBLE_EQ(lineOf(mark(), "3.3").points, 3.2);
+  expectReason(mark(), "3.3", "80 % of the points, the most that what is not known to be right");
+  rubric_.parts[0].checks["3.3/repeatable"] = 1.0;
+  EXPECT_DOUBLE_EQ(lineOf(mark(), "3.3").points, 3.0);
+  expectReason(mark(), "3.3", "But what has a price of its own costs 1 point.");
   function(record_, "3.3").checks.clear();
   fail(function(record_, "3.3"), "valid");
   EXPECT_DOUBLE_EQ(lineOf(mark(), "3.3").points, 0.0);  // not below
+}
+
+TEST_F(Marking, WhatIsBlockedByAMistakeWithAPriceCostsNothing) {
+  useSimpleRubric();
+  rubric_.parts[0].checks = {{"3.2/valid", 0.5}};
+  part(record_, 3).pictures = {picture("a room", {0.9, 0.8, 1.0})};
+  fail(function(record_, "3.2"), "valid");
+  fail(function(record_, "3.3"), "samples", Verdict::kBlocked);
+  EXPECT_DOUBLE_EQ(lineOf(mark(), "3.2").points, 3.5);
+  EXPECT_DOUBLE_EQ(lineOf(mark(), "3.3").points, 4.0);
+  fail(function(record_, "3.1"), "value");  // which has no price
+  EXPECT_DOUBLE_EQ(lineOf(mark(), "3.3").points, 0.0);
 }
 
 TEST_F(Marking, WeightsShareThePointsOfAPart) {

@@ -56,6 +56,14 @@ TEST_F(Marking, TheWorstPictureCounts) {
   EXPECT_EQ(lineOf(mark(), "3.1").points, 0.0);
 }
 
+// Where none is surely off, the one that is off most by its value.
+TEST_F(Marking, TheReasonNamesThePictureThatIsOffMost) {
+  useSimpleRubric();
+  part(record_, 3).pictures = {picture("a", {0.0, 0.0, 0.04}), picture("b", {0.01, 0.0, 0.02})};
+  fail(function(record_, "3.1"));
+  expectReason(mark(), "3.1", "The picture of b is 1 %");
+}
+
 TEST_F(Marking, WithoutAPictureAMistakeEarnsAFixedShare) {
   useSimpleRubric();
   part(record_, 3).pictures.clear();
