@@ -199,7 +199,7 @@ int grade(const GradeArguments& arguments) {
   const rubric::Rubric rubric = readRubric(rubricFile);
   const submission::FoundSubmissions found = findAll(arguments, out);
   const std::vector<submission::Submission>& submissions = found.submissions;
-  if (submissions.empty() && !fs::exists(out / "run.json"))
+  if (submissions.empty() && !grading::holdsGrades(out))
     throw UsageError(
         "Name what is to be graded: folders or archives with part*.cpp files, or a folder of "
         "such.");

@@ -4,6 +4,8 @@
 #include "host/display_path.h"
 #include "host/session.h"
 #include "record/record_json.h"
+#include "submission/names.h"
+#include "worker/contract.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +46,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder / "submissions", error))
     if (fs::exists(entry.path() / "record.json")) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
+  std::sort(names.begin(), names.end(), submission::naturalLess);
   return names;
 }
 
@@ -64,11 +66,43 @@ bool keepsItsName(const record::SubmissionRecord& known) {
   return known.leftOut.empty() && !known.source.empty() && fs::exists(known.source, error);
 }
 
+// Nothing if the file is missing or damaged.
+std::optional<Run> readRun(const fs::path& file) {
+  try {
+    const Json known = Json::parse(readFile(file));
+    return Run{known.at("seed").get<std::uint64_t>(), known.at("parts").get<std::vector<int>>(),
+               known.at("whole").get<bool>()};
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<int> allParts() {
+  std::vector<int> numbers;
+  for (const PartContract& part : parts()) numbers.push_back(part.part);
+  return numbers;
+}
+
+// What a record was made with. Nothing if it does not tell: it has no parts where nothing could be
+// graded, or where of a bonus part alone nothing is written.
+std::optional<Run> runOf(const record::SubmissionRecord& record) {
+  if (!record.hasMarks() || record.parts.empty()) return std::nullopt;
+  // Only where the whole was graded are there pictures of it, and bonus parts may be missing then.
+  if (!record.pictures.empty()) return Run{record.seed, allParts(), true};
+  Run run{record.seed, {}, false};
+  for (const record::PartRecord& part : record.parts) run.parts.push_back(part.part);
+  return run;
+}
+
 std::string partsInWords(const std::vector<int>& parts, bool whole) {
   return whole ? "everything" : fmt::format("part {} only", fmt::join(parts, ", "));
 }
 
 }  // namespace
+
+bool holdsGrades(const fs::path& folder) {
+  return fs::exists(folder / "run.json") || !namesIn(folder).empty();
+}
 
 std::map<fs::path, std::string> gradedNames(const fs::path& folder) {
   std::map<fs::path, std::string> names;
@@ -110,42 +144,66 @@ void ClassFolder::lock() {
 
 void ClassFolder::readOrWriteRun(const RunAsked& asked) {
   const fs::path file = folder_ / "run.json";
-  const Json known = Json::parse(readFile(file), nullptr, false);
-  if (known.is_object() && known.contains("seed") && known.contains("parts")) {
-    try {
-      seed_ = known.at("seed");
-      parts_ = known.at("parts").get<std::vector<int>>();
-      whole_ = known.at("whole");
-    } catch (const Json::exception&) {
-      throw UsageError(fmt::format("{}: this file is damaged. Give another folder with --out.",
-                                   displayPath(file)));
-    }
-    if (asked.seed && *asked.seed != seed_)
-      throw UsageError(
-          fmt::format("{} was graded with seed {}, and marks of different seeds do "
-                      "not belong together: leave --seed out, or give another folder "
-                      "with --out.",
-                      displayPath(folder_), seed_));
-    if (!asked.parts.empty() && (asked.parts != parts_ || asked.whole != whole_))
-      throw UsageError(
-          fmt::format("In {} {} was graded, and now {} is asked for: give another "
-                      "folder with --out.",
-                      displayPath(folder_), partsInWords(parts_, whole_),
-                      partsInWords(asked.parts, asked.whole)));
+  if (const std::optional<Run> known = readRun(file)) {
+    run_ = *known;
+    expectSame(asked);
     return;
   }
-  if (!names().empty() || asked.parts.empty())
-    throw UsageError(
-        fmt::format("{}: run.json, which tells the seed and the parts of what was graded here, is "
-                    "missing or damaged: give another folder with --out.",
-                    displayPath(folder_)));
-  seed_ = asked.seed ? *asked.seed : newSeed();
-  parts_ = asked.parts;
-  whole_ = asked.whole;
+  const bool isNew = names().empty();
+  if (isNew && asked.parts.empty()) refuseWithoutRun("and there is no record here");
+  if (isNew) {
+    run_ = {asked.seed ? *asked.seed : newSeed(), asked.parts, asked.whole};
+  } else {
+    run_ = runOfRecords(asked);
+    expectSame(asked);
+  }
+  // Marks can be made anew without the parts, and the next run may ask for some.
+  if (run_.parts.empty()) return;
   writeFileAtomically(
       file,
-      Json{{"format", kRunFormat}, {"seed", seed_}, {"parts", parts_}, {"whole", whole_}}.dump(1) +
+      Json{
+          {"format", kRunFormat}, {"seed", run_.seed}, {"parts", run_.parts}, {"whole", run_.whole}}
+              .dump(1) +
           "\n");
+}
+
+void ClassFolder::expectSame(const RunAsked& asked) const {
+  if (asked.seed && *asked.seed != run_.seed)
+    throw UsageError(
+        fmt::format("{} was graded with seed {}, and marks of different seeds do "
+                    "not belong together: leave --seed out, or give another folder "
+                    "with --out.",
+                    displayPath(folder_), run_.seed));
+  if (!asked.parts.empty() && (asked.parts != run_.parts || asked.whole != run_.whole))
+    throw UsageError(
+        fmt::format("In {} {} was graded, and now {} is asked for: give another "
+                    "folder with --out.",
+                    displayPath(folder_), partsInWords(run_.parts, run_.whole),
+                    partsInWords(asked.parts, asked.whole)));
+}
+
+// Of what was left out only the seed is known: its parts are those that are asked for, if any.
+Run ClassFolder::runOfRecords(const RunAsked& asked) const {
+  std::optional<std::uint64_t> seed;
+  std::optional<Run> run;
+  for (const std::string& name : names()) {
+    const std::optional<record::SubmissionRecord> record = find(name);
+    if (!record) continue;
+    const std::optional<Run> said = runOf(*record);
+    if ((seed && *seed != record->seed) || (run && said && !(*run == *said)))
+      refuseWithoutRun("and the records here are not all of the same seed and parts");
+    seed = record->seed;
+    if (said) run = said;
+  }
+  if (!seed) refuseWithoutRun("and no record here can be read");
+  return run ? *run : Run{*seed, asked.parts, asked.whole};
+}
+
+void ClassFolder::refuseWithoutRun(const char* why) const {
+  throw UsageError(
+      fmt::format("{}: run.json, which tells the seed and the parts of what was graded here, is "
+                  "missing or damaged, {}: give another folder with --out.",
+                  displayPath(folder_), why));
 }
 
 std::vector<std::string> ClassFolder::names() const { return namesIn(folder_); }

@@ -28,14 +28,27 @@ struct RunAsked {
   bool whole = true;
 };
 
+// What all of a folder was graded with.
+struct Run {
+  std::uint64_t seed = 0;
+  std::vector<int> parts;
+  bool whole = true;
+
+  bool operator==(const Run&) const = default;
+};
+
+// Whether anything was graded into this folder, which may be missing.
+bool holdsGrades(const std::filesystem::path& folder);
+
 // By the source of each graded submission of this folder its name, where the source is still there:
 // one that is gone has been handed in anew, or moved. The folder itself may be missing.
 std::map<std::filesystem::path, std::string> gradedNames(const std::filesystem::path& folder);
 
 class ClassFolder {
  public:
-  // Makes the folder where it is missing. One run at a time: throws UsageError if another one is
-  // at work there, or if the folder was graded with another seed or other parts.
+  // Makes the folder where it is missing, and run.json too, from the records where there are some.
+  // One run at a time: throws UsageError if another one is at work there, if the folder was graded
+  // with another seed or other parts, or if these cannot be known any more.
   ClassFolder(std::filesystem::path folder, const RunAsked& asked);
 
   ~ClassFolder();
@@ -43,11 +56,11 @@ class ClassFolder {
   ClassFolder& operator=(const ClassFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
-  std::uint64_t seed() const { return seed_; }
-  const std::vector<int>& parts() const { return parts_; }
-  bool whole() const { return whole_; }
+  std::uint64_t seed() const { return run_.seed; }
+  const std::vector<int>& parts() const { return run_.parts; }
+  bool whole() const { return run_.whole; }
 
-  // Names of all submissions that have a record, sorted.
+  // Names of all submissions that have a record, in natural order.
   std::vector<std::string> names() const;
 
   std::filesystem::path folderOf(const std::string& name) const;
@@ -79,12 +92,13 @@ class ClassFolder {
  private:
   void lock();
   void readOrWriteRun(const RunAsked& asked);
+  void expectSame(const RunAsked& asked) const;
+  Run runOfRecords(const RunAsked& asked) const;
+  [[noreturn]] void refuseWithoutRun(const char* why) const;
 
   std::filesystem::path folder_;
   FileDescriptor lock_;
-  std::uint64_t seed_ = 0;
-  std::vector<int> parts_;
-  bool whole_ = true;
+  Run run_;
 };
 
 }  // namespace pathmark::grading

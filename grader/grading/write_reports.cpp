@@ -7,6 +7,9 @@
 #include "report/junit.h"
 #include "report/marks_csv.h"
 #include "report/submission_html.h"
+#include "submission/names.h"
+
+#include <algorithm>
 
 namespace pathmark::grading {
 
@@ -58,6 +61,8 @@ ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubri
   for (const std::string& name : notYet)
     records.push_back(withoutMarks(name, folder.seed(),
                                    "The run was interrupted before it: the same command goes on."));
+  std::sort(records.begin(), records.end(),
+            [](const auto& a, const auto& b) { return submission::naturalLess(a.name, b.name); });
   for (const record::SubmissionRecord& record : records)
     marks.push_back(rubric::markSubmission(record, rubric));
   const std::vector<report::Graded> graded = gradedOf(records, marks, &folder);

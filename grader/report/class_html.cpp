@@ -6,6 +6,7 @@
 #include "report/plots.h"
 #include "report/record_words.h"
 #include "report/thumbnail.h"
+#include "report/to_look_at.h"
 #include "sortable_table_js.h"
 
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ Markup pointsCell(const rubric::PartMarks* marks, bool complete) {
 Markup wordsOf(const Graded& graded) {
   const record::SubmissionRecord& record = *graded.record;
   const std::vector<std::string> sentences =
-      record.leftOut.empty() ? whatIsWrong(record)
+      record.leftOut.empty() ? whatIsWrong(record, *graded.marks)
                              : std::vector{fmt::format("not graded: {}", record.leftOut)};
   Markup words;
   for (const std::string& sentence : sentences) words += markup("<li>{}</li>", sentence);
@@ -124,26 +125,33 @@ std::vector<Remark> remarksOf(GradedClass graded) {
   };
   for (const Graded& g : graded)
     if (!g.record->hasMarks()) add(g, whyNoMarks(*g.record));
+  const std::vector<std::string> same = sameFiles(graded);
+  for (std::size_t i = 0; i < graded.size(); ++i)
+    if (!same[i].empty()) add(graded[i], same[i]);
   for (const Graded& g : graded)
-    for (const std::string& sentence : g.marks->toReview)
+    for (const std::string& sentence : reviewOf(g))
       if (g.record->hasMarks()) add(g, sentence);
   return remarks;
 }
 
+Markup remarkHtml(const Remark& remark) {
+  constexpr std::size_t kMany = 6;
+  const std::size_t count = remark.submissions.size();
+  Markup links;
+  for (const Graded* g : remark.submissions)
+    links += markup("<a href=\"{}\">{}</a> ", Markup{linkOf(*g)}, g->record->name);
+  // It goes on after the names, unlike a sentence of a submission with marks.
+  const std::string why = whyNoMarks(*remark.submissions.front()->record, count > 1);
+  const std::string& words = why.empty() ? remark.sentence : why;
+  if (count < kMany) return markup("<li>{}{}</li>\n", links, words);
+  return markup("<li><details><summary>{} submissions{} {}</summary>{}</details></li>\n", count,
+                why.empty() ? ":" : "", words, links);
+}
+
 // What a person should see before marks are handed out. The same of many takes one line.
 Markup toLookAt(GradedClass graded) {
-  constexpr std::size_t kMany = 6;
   Markup list;
-  for (const Remark& remark : remarksOf(graded)) {
-    Markup links;
-    for (const Graded* g : remark.submissions)
-      links += markup("<a href=\"{}\">{}</a> ", Markup{linkOf(*g)}, g->record->name);
-    if (remark.submissions.size() < kMany)
-      list += markup("<li>{}{}</li>\n", links, remark.sentence);
-    else
-      list += markup("<li><details><summary>{} submissions: {}</summary>{}</details></li>\n",
-                     remark.submissions.size(), remark.sentence, links);
-  }
+  for (const Remark& remark : remarksOf(graded)) list += remarkHtml(remark);
   if (list.html.empty()) return {};
   return markup(
       "<section class=\"part review\"><h2>Look at these first</h2>\n<ul>{}</ul></section>\n", list);

@@ -53,7 +53,7 @@ Row rowOf(const Graded& graded, const std::vector<ClassPart>& parts) {
       row.numbers.push_back({pointsText(marks->points), colourOf(marks->points, marks->outOf)});
   }
   row.numbers.push_back({complete ? pointsText(graded.marks->points) : "-", kBold});
-  row.words = whatIsWrong(*graded.record);
+  row.words = whatIsWrong(*graded.record, *graded.marks);
   row.wordsColour = complete ? kDim : kRed;
   return row;
 }

@@ -56,7 +56,7 @@ Json testOf(const SubmissionRecord& record, const rubric::PartMarks& part, std::
               {"visibility", "visible"}};
 }
 
-std::string summary(const SubmissionRecord& record) {
+std::string summary(const SubmissionRecord& record, const rubric::Marks& marks) {
   std::string text;
   if (record.internalError())
     text += fmt::format("This submission could not be graded; that is no fault of it. {}\n",
@@ -65,16 +65,19 @@ std::string summary(const SubmissionRecord& record) {
     text += fmt::format("This submission was not graded, and has no marks. {}\n", record.leftOut);
   for (const std::string& sentence : record.collecting) text += sentence + "\n";
   if (record.leftOut.empty())
-    for (const std::string& sentence : whatIsWrong(record)) text += sentence + "\n";
+    for (const std::string& sentence : whatIsWrong(record, marks)) text += sentence + "\n";
   return cutAfter(cleanText(text), kLongestOutput);
 }
 
 }  // namespace
 
 std::string gradescopeJson(const SubmissionRecord& record, const rubric::Marks& marks) {
-  Json json{{"score", marks.points},     {"execution_time", record.seconds},
-            {"output", summary(record)}, {"output_format", "text"},
-            {"visibility", "visible"},   {"stdout_visibility", "hidden"},
+  Json json{{"score", marks.points},
+            {"execution_time", record.seconds},
+            {"output", summary(record, marks)},
+            {"output_format", "text"},
+            {"visibility", "visible"},
+            {"stdout_visibility", "hidden"},
             {"tests", Json::array()}};
   // Without a score Gradescope shows no mark, and 0 is one.
   if (!record.leftOut.empty()) json.erase("score");

@@ -3,6 +3,7 @@
 #include "report/class_numbers.h"
 #include "report/clean_text.h"
 #include "report/record_words.h"
+#include "report/to_look_at.h"
 
 #include <fmt/format.h>
 
@@ -36,12 +37,14 @@ std::string namesLine(const std::vector<ClassPart>& parts) {
   return lineOf(cells);
 }
 
-std::string remarksOf(const Graded& graded) {
+// `same`: which others have the same files.
+std::string remarksOf(const Graded& graded, const std::string& same) {
   std::vector<std::string> remarks;
   if (graded.record->internalError()) remarks.push_back(graded.record->failure);
   if (!graded.record->leftOut.empty())
     remarks.push_back(fmt::format("No marks: {}", graded.record->leftOut));
-  for (const std::string& sentence : graded.marks->toReview) remarks.push_back(sentence);
+  if (!same.empty()) remarks.push_back(same);
+  for (std::string& sentence : reviewOf(graded)) remarks.push_back(std::move(sentence));
   const auto isSaid = [&](const std::string& sentence) {
     return std::any_of(remarks.begin(), remarks.end(), [&](const std::string& remark) {
       return remark.find(sentence) != std::string::npos;
@@ -52,8 +55,8 @@ std::string remarksOf(const Graded& graded) {
   return fmt::format("{}", fmt::join(remarks, " "));
 }
 
-std::string submissionLine(const Graded& graded, const std::vector<ClassPart>& parts,
-                           double outOf) {
+std::string submissionLine(const Graded& graded, const std::vector<ClassPart>& parts, double outOf,
+                           const std::string& same) {
   const bool complete = graded.record->hasMarks();
   const auto number = [&](double points) { return complete ? pointsText(points) : std::string(); };
   std::vector<std::string> cells{csvCell(graded.record->name), number(graded.marks->points),
@@ -66,7 +69,7 @@ std::string submissionLine(const Graded& graded, const std::vector<ClassPart>& p
     cells.push_back(verdict ? csvCell(nameOf(*verdict)) : "");
   }
   cells.push_back(fmt::format("{}", graded.record->seed));
-  cells.push_back(csvCell(remarksOf(graded)));
+  cells.push_back(csvCell(remarksOf(graded, same)));
   cells.push_back(csvCell(submissionName(*graded.record)));
   return lineOf(cells);
 }
@@ -87,7 +90,9 @@ std::string csvCell(std::string_view text) {
 std::string marksCsv(GradedClass graded) {
   const std::vector<ClassPart> parts = partsOf(graded);
   std::string csv = namesLine(parts);
-  for (const Graded& g : graded) csv += submissionLine(g, parts, largestTotal(graded));
+  const std::vector<std::string> same = sameFiles(graded);
+  for (std::size_t i = 0; i < graded.size(); ++i)
+    csv += submissionLine(graded[i], parts, largestTotal(graded), same[i]);
   return csv;
 }
 

@@ -22,6 +22,13 @@ Markup pane(const PictureRecord& picture, const PictureSource& source, const std
                 name);
 }
 
+// Two digits, but all of those before the point, without exponents.
+std::string percentDigits(double share) {
+  const double percent = 100.0 * share, size = std::abs(percent);
+  return size >= 9.95 && size < 1e6 ? fmt::format("{:.0f}", percent)
+                                    : fmt::format("{:.2g}", percent);
+}
+
 // Of the colours of the signed error: 41 steps from -scale to scale.
 Markup legend(double scale) {
   constexpr int kSteps = 20;
@@ -31,7 +38,7 @@ Markup legend(double scale) {
     steps += markup("<rect x=\"{}\" width=\"1.1\" height=\"4\" fill=\"rgb({},{},{})\"/>",
                     i + kSteps, r, g, b);
   }
-  const std::string end = fmt::format("{:.3g} %", 100.0 * scale);
+  const std::string end = fmt::format("{} %", percentDigits(scale));
   return markup(
       "<div class=\"legend\" role=\"img\" aria-label=\"Signed error: blue where yours is darker by "
       "up to {2}, white where it is equal, red where it is brighter\">"
@@ -43,7 +50,7 @@ Markup legend(double scale) {
 // Three channels in one row.
 std::string channels(const std::array<Estimate, 3>& errors) {
   const auto percent = [](const Estimate& e) {
-    return fmt::format("{}{:.2g} %", e.value < 0.0 ? "\u2212" : "+", 100.0 * std::abs(e.value));
+    return fmt::format("{}{} %", e.value < 0.0 ? "\u2212" : "+", percentDigits(std::abs(e.value)));
   };
   return fmt::format("red {}, green {}, blue {}", percent(errors[0]), percent(errors[1]),
                      percent(errors[2]));
@@ -67,8 +74,8 @@ Markup numbers(const PictureRecord& picture) {
 }  // namespace
 
 std::string percentText(const Estimate& estimate) {
-  return fmt::format("{:.2g} % ({:.2g} to {:.2g} %)", 100.0 * estimate.value, 100.0 * estimate.low,
-                     100.0 * estimate.high);
+  return fmt::format("{} % ({} to {} %)", percentDigits(estimate.value),
+                     percentDigits(estimate.low), percentDigits(estimate.high));
 }
 
 Markup pictureHtml(const PictureRecord& picture, const PictureSource& source) {

@@ -67,7 +67,7 @@ struct Range {
 
 Axis percentAxis(std::string label, const Range& range) {
   Axis axis = logAxis(std::move(label), range.low, range.high, 10.0);
-  for (Tick& tick : axis.ticks) tick.label = fmt::format("{:.3g} %", 100.0 * tick.value);
+  for (Tick& tick : axis.ticks) tick.label = fmt::format("{:.6g} %", 100.0 * tick.value);
   return axis;
 }
 

@@ -40,8 +40,22 @@ std::string partNames(const std::vector<int>& parts) {
   return names;
 }
 
-// What to say after the name of one part.
+bool lostAPicture(const std::vector<record::PictureRecord>& pictures) {
+  return std::any_of(pictures.begin(), pictures.end(),
+                     [](const record::PictureRecord& picture) { return !picture.failure.empty(); });
+}
+
+bool lostAPicture(const SubmissionRecord& record, int part) {
+  if (part == kWhole) return lostAPicture(record.pictures);
+  return std::any_of(record.parts.begin(), record.parts.end(), [&](const PartRecord& p) {
+    return p.part == part && lostAPicture(p.pictures);
+  });
+}
+
+// What to say after the name of one part; empty if nothing is wrong with it itself.
 std::string_view wordsOf(const SubmissionRecord& record, int part, Verdict verdict) {
+  if (verdict == Verdict::kBlocked) return {};
+  if (verdict == Verdict::kOk) return lostAPicture(record, part) ? "without a picture" : "";
   for (const PartRecord& p : record.parts)
     if (p.part == part && !p.hasFile()) return "missing";
   return nameOf(verdict);
@@ -69,15 +83,21 @@ bool hasItsNameFrom(const std::string& name, const std::string& file) {
 
 }  // namespace
 
-std::string whyNoMarks(const SubmissionRecord& record) {
+std::string whyNoMarks(const SubmissionRecord& record, bool several) {
   if (record.internalError()) return fmt::format("could not be graded: {}", record.failure);
-  return record.leftOut.empty() ? std::string() : fmt::format("was not graded: {}", record.leftOut);
+  if (record.leftOut.empty()) return {};
+  return fmt::format("{} not graded: {}", several ? "were" : "was", record.leftOut);
+}
+
+std::string endOfPath(const std::string& path) {
+  const std::filesystem::path whole = path;
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
 std::string submissionName(const SubmissionRecord& record) {
   std::filesystem::path source = record.source;
   if (!source.has_filename()) source = source.parent_path();
-  const std::string file = source.filename().string(),
+  const std::string file = endOfPath(record.source),
                     folder = source.parent_path().filename().string();
   return hasItsNameFrom(record.name, file) || !hasItsNameFrom(record.name, folder)
              ? file
@@ -100,15 +120,21 @@ bool isFault(Verdict verdict) {
   return !worseThan(Verdict::kWrong, verdict) && verdict != Verdict::kInternalError;
 }
 
-std::vector<std::string> whatIsWrong(const SubmissionRecord& record) {
+bool isMarked(const rubric::Marks& marks, int part) {
+  return std::any_of(marks.parts.begin(), marks.parts.end(),
+                     [&](const rubric::PartMarks& marked) { return marked.part == part; });
+}
+
+std::vector<std::string> whatIsWrong(const SubmissionRecord& record, const rubric::Marks& marks) {
   if (record.internalError()) return {"internal error"};
   if (!record.leftOut.empty()) return {"not graded"};
   std::vector<std::string> sentences;
   std::vector<std::pair<std::string_view, std::vector<int>>> groups;
   for (int part = 0; part <= kWhole; ++part) {
     const std::optional<Verdict> verdict = verdictOfPart(record, part);
-    if (!verdict || *verdict == Verdict::kOk || *verdict == Verdict::kBlocked) continue;
+    if (!verdict || !isMarked(marks, part)) continue;
     const std::string_view words = wordsOf(record, part, *verdict);
+    if (words.empty()) continue;
     const auto same = [&](const auto& group) { return group.first == words && part != kWhole; };
     const auto found = std::find_if(groups.begin(), groups.end(), same);
     if (found != groups.end())

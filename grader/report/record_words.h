@@ -1,10 +1,12 @@
 // Words for what is in a record; they are the same in every report.
 //
 //   whyNoMarks       "was not graded: ..."
+//   endOfPath        "bob.zip" of "/home/me/class/bob.zip"
 //   submissionName   of the folder or archive that was handed in
 //   verdictOfPart    of parts 0 to 7, or of the whole as submitted
 //   partName         "part 3", "whole"
 //   isFault          whether a verdict says that something is wrong with the coursework
+//   isMarked         whether a part counts
 //   whatIsWrong      "part 4 does not compile", and the like
 //   worstOf          the check that tells most about a function
 //   fieldsOf         what to tell of a check, in order
@@ -26,8 +28,11 @@ namespace pathmark::report {
 
 inline constexpr int kScenesPart = 7, kWhole = 10;
 
-// What to say after its name; empty if it has marks.
-std::string whyNoMarks(const record::SubmissionRecord& record);
+// What to say after its name, or after those of several; empty if it has marks.
+std::string whyNoMarks(const record::SubmissionRecord& record, bool several = false);
+
+// Nothing of the machine that a path is of.
+std::string endOfPath(const std::string& path);
 
 // "Müller, Anna", "Alex Kim.tar.gz"; after its folder's name where the submission has its name from
 // there, as learning platforms make a folder for each archive. Empty if it is not known.
@@ -42,10 +47,14 @@ std::string partName(int part);
 // Wrong, not compiling, stopped; neither unwritten nor blocked nor an error of the grader.
 bool isFault(record::Verdict verdict);
 
-// "part 4 does not compile", "parts 2 and 3 wrong", "part 5 missing", of which there is no file;
-// what is only blocked is left out. After an internal error, or where nothing was graded, nothing
-// else is known.
-std::vector<std::string> whatIsWrong(const record::SubmissionRecord& record);
+bool isMarked(const rubric::Marks& marks, int part);
+
+// "part 4 does not compile", "parts 2 and 3 wrong", "part 5 missing", of which there is no file,
+// "part 6 without a picture", which was stopped or crashed, though the checks found nothing wrong;
+// what is only blocked, and what does not count, is left out. After an internal error, or where
+// nothing was graded, nothing else is known.
+std::vector<std::string> whatIsWrong(const record::SubmissionRecord& record,
+                                     const rubric::Marks& marks);
 
 // Null if there are none.
 const record::CheckRecord* worstOf(const std::vector<record::CheckRecord>& checks);

@@ -139,13 +139,25 @@ Markup printed(const SubmissionRecord& record) {
 }
 
 // A record without pictures of the whole is of one part alone.
-std::string commandFor(const SubmissionRecord& record, const rubric::Marks& marks) {
-  std::string command = fmt::format("./pathmark grade {}", shellWord(record.source));
-  if (record.pictures.empty() && record.parts.size() == 1)
-    command += fmt::format(" --only part{}", record.parts.front().part);
+bool isOfOnePart(const SubmissionRecord& record) {
+  return record.pictures.empty() && record.parts.size() == 1;
+}
+
+// Without the folders of the machine that it was graded on: students read it.
+std::string gradeCommand(const SubmissionRecord& record, const rubric::Marks& marks) {
+  std::string command = fmt::format("./pathmark grade {}", shellWord(endOfPath(record.source)));
+  if (isOfOnePart(record)) command += fmt::format(" --only part{}", record.parts.front().part);
   command += fmt::format(" --seed {}", record.seed);
-  if (!marks.rubric.empty()) command += fmt::format(" --rubric {}", shellWord(marks.rubric));
+  if (!marks.rubric.empty())
+    command += fmt::format(" --rubric {}", shellWord(endOfPath(marks.rubric)));
   return cleanLine(command);
+}
+
+// In a student's kit too, which cannot grade.
+std::string checkCommand(const SubmissionRecord& record) {
+  const std::string part =
+      isOfOnePart(record) ? fmt::format(" part{}", record.parts.front().part) : std::string();
+  return fmt::format("./pathmark check{} --seed {}", part, record.seed);
 }
 
 Markup howItWasMade(const SubmissionRecord& record, const rubric::Marks& marks) {
@@ -163,8 +175,11 @@ Markup howItWasMade(const SubmissionRecord& record, const rubric::Marks& marks) 
       "solutions of all others, so that no mistake is counted twice, and asked with random inputs. "
       "The same seed gives the same marks, on any number of threads:</p>\n"
       "<pre tabindex=\"0\"><code>{}</code></pre>\n"
+      "<p>With these files in student/ anybody can ask the checks again, with the same inputs; "
+      "marks they do not give:</p>\n"
+      "<pre tabindex=\"0\"><code>{}</code></pre>\n"
       "<dl class=\"facts\">{}</dl></section>\n",
-      commandFor(record, marks), rows);
+      gradeCommand(record, marks), checkCommand(record), rows);
 }
 
 }  // namespace

@@ -76,11 +76,46 @@ bool isSubmissionFolder(const FolderReader& folder, const FolderEntry& entry) {
 
 // What lies beside a class's submissions, and is nobody's: lists, instructions, what systems leave.
 bool isDocument(const std::string& name) {
-  static constexpr std::array<std::string_view, 13> kEndings{
-      ".csv", ".tsv", ".txt",  ".md",  ".pdf", ".html", ".json",
-      ".ods", ".xls", ".xlsx", ".log", ".ini", ".db"};
+  static constexpr std::array<std::string_view, 15> kEndings{
+      ".csv",  ".tsv", ".txt", ".md",   ".pdf", ".html", ".json", ".yml",
+      ".yaml", ".ods", ".xls", ".xlsx", ".log", ".ini",  ".db"};
   const std::string ending = lowerCase(fs::path(name).extension().string());
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+// Why a file is no archive, where its ending tells; empty for others.
+std::string whyNotRead(const std::string& name) {
+  const std::string ending = lowerCase(fs::path(name).extension().string());
+  return ending == ".7z" || ending == ".rar"
+             ? fmt::format("{} is not read: a zip or a tar is", ending)
+             : std::string();
+}
+
+// The file that is meant by one of almost its name, or any other of the coursework.
+std::string_view fileLike(const std::string& name) {
+  const std::optional<int> number = numberOfPart(name);
+  for (const PartContract& part : parts())
+    if (number && part.part == *number) return part.file;
+  return parts().front().file;
+}
+
+// Why there is no submission in a folder, or in the only folder that it holds; empty where nothing
+// better can be said than what a submission is.
+std::string whyNone(const FolderReader& folder, int wrappers = 0) {
+  std::vector<FolderEntry> entries = folder.list(kMostEntries);
+  std::erase_if(entries, [](const FolderEntry& entry) { return isHidden(entry.name); });
+  if (entries.empty()) return "the folder is empty";
+  for (const FolderEntry& entry : entries)
+    if (entry.kind == EntryKind::kFile && looksLikePart(entry.name))
+      return fmt::format("{} is not the name of a file of the coursework, such as {}",
+                         inQuotes(entry.name), fileLike(entry.name));
+  for (const FolderEntry& entry : entries)
+    if (std::string why = whyNotRead(entry.name); entry.kind == EntryKind::kFile && !why.empty())
+      return why;
+  if (entries.size() > 1 || entries.front().kind != EntryKind::kFolder || wrappers == kMostWrappers)
+    return {};
+  const std::optional<FolderReader> below = folder.openFolder(entries.front().name);
+  return below ? whyNone(*below, wrappers + 1) : kUnreadable;
 }
 
 std::string nameOf(const fs::path& source, bool archive) {
@@ -166,8 +201,8 @@ class Finder {
     found_.leftOut.push_back({nameOfLeftOut(path), path, fmt::format("{}.", why)});
   }
 
-  void refuse(const fs::path& path) {
-    leaveOut(path, "a submission is a folder with part*.cpp, a zip or a tar");
+  void refuse(const fs::path& path, const std::string& why) {
+    leaveOut(path, why.empty() ? "a submission is a folder with part*.cpp, a zip or a tar" : why);
   }
 
   void file(const fs::path& path) {
@@ -176,7 +211,7 @@ class Finder {
     if (isFile && folder && isArchive(*folder, {path.filename().string(), EntryKind::kFile})) {
       add(path, nameOf(path, true), true);
     } else {
-      refuse(path);
+      refuse(path, whyNotRead(path.filename().string()));
     }
   }
 
@@ -199,7 +234,10 @@ class Finder {
                  (entry.kind == EntryKind::kFile && !isArchive(reader, entry));
         });
     // Somebody's whose files have other names, rather than a class of theirs.
-    if (onlyFiles) return leaveOut(path, "there is no submission in it");
+    if (onlyFiles) {
+      const std::string why = whyNone(reader);
+      return leaveOut(path, why.empty() ? "there is no submission in it" : why);
+    }
     for (const FolderEntry& entry : entries) {
       const fs::path inside = path / entry.name;
       if (isHidden(entry.name)) continue;
@@ -213,7 +251,7 @@ class Finder {
         found_.remarks.push_back(fmt::format("\"{}\" was taken for nobody's: it is a document.",
                                              shown(inside.string(), kLongestShown)));
       } else {
-        refuse(inside);
+        refuse(inside, whyNotRead(entry.name));
       }
     }
   }
@@ -236,7 +274,7 @@ class Finder {
     } else if (archives.size() == 1) {
       add(archives.front(), nameOf(path, false), true);
     } else if (archives.empty()) {
-      refuse(path);
+      refuse(path, whyNone(*reader));
     } else {
       leaveOut(path, fmt::format("there are {} archives in it, and which of them counts is not for "
                                  "the grader to say",

@@ -23,6 +23,8 @@ constexpr std::array<std::string_view, 13> kArchiveEndings{
     ".tar.gz", ".tar.xz", ".tar.bz2", ".tar.zst", ".tar.lzma", ".tgz", ".txz",
     ".tbz2",   ".tbz",    ".tzst",    ".tlz",     ".zip",      ".tar"};
 
+constexpr std::string_view kPart = "part";
+
 }  // namespace
 
 std::string lowerCase(std::string_view text) {
@@ -90,6 +92,18 @@ std::optional<std::string> archiveStem(std::string_view name) {
     if (lower.size() > ending.size() && lower.ends_with(ending))
       return std::string(name.substr(0, name.size() - ending.size()));
   return std::nullopt;
+}
+
+bool looksLikePart(std::string_view name) {
+  const std::string lower = lowerCase(name);
+  return lower.starts_with(kPart) && lower.find(".cpp") != std::string::npos;
+}
+
+std::optional<int> numberOfPart(std::string_view name) {
+  const std::size_t digit = kPart.size();
+  if (!lowerCase(name).starts_with(kPart) || name.size() <= digit || !isDigit(name[digit]))
+    return std::nullopt;
+  return name[digit] - '0';
 }
 
 }  // namespace pathmark::submission

@@ -4,6 +4,8 @@
 //   UniqueNames    the same name a second time gets -2
 //   naturalLess    "task 9" before "task 10"
 //   archiveStem    "work" for "work.tar.gz"; nothing if the name is not an archive's
+//   looksLikePart  whether a file may be one of the coursework's under another name
+//   numberOfPart   3 for "part3.cpp"
 #pragma once
 
 #include <optional>
@@ -36,5 +38,11 @@ class UniqueNames {
 bool naturalLess(std::string_view a, std::string_view b);
 
 std::optional<std::string> archiveStem(std::string_view name);
+
+// "part3.cpp", "part3_lambertian (1).cpp"
+bool looksLikePart(std::string_view name);
+
+// Nothing for "parts.cpp".
+std::optional<int> numberOfPart(std::string_view name);
 
 }  // namespace pathmark::submission

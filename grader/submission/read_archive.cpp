@@ -29,6 +29,8 @@ constexpr double kMebibyte = 1 << 20;
 // thousand bytes in four.
 constexpr std::size_t kBlock = 4096;
 
+constexpr const char* kEmpty = "the archive is empty";
+
 // Neither waits for a pipe nor follows a link that has taken the file's place.
 FileDescriptor openFile(const std::filesystem::path& file) {
   return FileDescriptor(open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
@@ -66,13 +68,16 @@ class Reader {
       throw Refusal(fmt::format("the archive has {:.0f} MiB, but at most {:g} MiB are allowed",
                                 static_cast<double>(size_) / kMebibyte,
                                 static_cast<double>(limits_.archiveBytes) / kMebibyte));
+    if (size_ == 0) throw Refusal("the file is empty");
+    if (isEmptyZip()) throw Refusal(kEmpty);
     openArchive();
   }
 
   void entries(const TakeEntry& take) {
     archive_entry* header = nullptr;
-    for (;;) {
+    for (bool any = false;; any = true) {
       check(archive_read_next_header(archive_.get(), &header));
+      if (atEnd_ && !any) throw Refusal(kEmpty);
       if (atEnd_) return;
       const std::uint64_t claimed =
           archive_entry_size_is_set(header)
@@ -90,6 +95,18 @@ class Reader {
   struct Close {
     void operator()(archive* a) const { archive_read_free(a); }
   };
+
+  // Nothing but the record that ends every zip (APPNOTE.TXT, 4.3.16), with zeros for the number,
+  // size and place of entries: the library takes it for no archive.
+  bool isEmptyZip() const {
+    constexpr std::size_t kSignature = 4, kZeros = 16;
+    std::array<char, kSignature + kZeros> begin{};
+    if (pread(descriptor_.get(), begin.data(), begin.size(), 0) !=
+        static_cast<ssize_t>(begin.size()))
+      return false;
+    return std::string_view(begin.data(), kSignature) == "PK\5\6" &&
+           std::all_of(begin.begin() + kSignature, begin.end(), [](char c) { return c == 0; });
+  }
 
   void openArchive() {
     archive_.reset(archive_read_new());

@@ -51,20 +51,8 @@ bool isProjectFolder(const std::string& name) {
   return std::find(kProjectFolders.begin(), kProjectFolders.end(), name) != kProjectFolders.end();
 }
 
-// "part3.cpp", "part3_lambertian (1).cpp"
 bool isNearMiss(const std::vector<std::string>& path) {
-  const std::string name = lowerCase(path.back());
-  return name.starts_with("part") && name.find(".cpp") != std::string::npos &&
-         std::none_of(path.begin(), path.end(), isProjectFolder);
-}
-
-// That of "part3.cpp" or "Part3_lambertian (1).cpp"; nothing for "parts.cpp".
-std::optional<int> numberOf(const std::string& nearMiss) {
-  const std::string name = lowerCase(nearMiss.substr(nearMiss.rfind('/') + 1));
-  const std::size_t digit = std::string_view("part").size();
-  if (!name.starts_with("part") || name.size() <= digit || name[digit] < '0' || name[digit] > '9')
-    return std::nullopt;
-  return name[digit] - '0';
+  return looksLikePart(path.back()) && std::none_of(path.begin(), path.end(), isProjectFolder);
 }
 
 bool isSceneFile(const std::string& target) {
@@ -164,7 +152,7 @@ void Sorter::noteRefusal(const std::string& target, std::string sentence) {
 void Sorter::noteNearMisses() {
   std::size_t noted = 0;
   for (const std::string& name : nearMisses_) {
-    const std::optional<int> part = numberOf(name);
+    const std::optional<int> part = numberOfPart(name.substr(name.rfind('/') + 1));
     if (part && !isWanted(*part)) {
       --ignored_;
       continue;
@@ -188,9 +176,8 @@ void Sorter::take(const Entry& entry, const ReadEntry& read) {
   if (path.pieces.empty()) return;
   const std::string& name = path.pieces.back();
   const bool isFolder = entry.kind == EntryKind::kFolder;
-  if (isDebris(path.pieces)) {
-    ignored_ += isFolder ? 0 : 1;
-  } else if (!partName(name).empty() || mayBeOfAScene(path.pieces)) {
+  if (isDebris(path.pieces)) return;
+  if (!partName(name).empty() || mayBeOfAScene(path.pieces)) {
     keep(path.pieces, entry, read);
   } else if (isFolder) {
     return;
@@ -199,6 +186,8 @@ void Sorter::take(const Entry& entry, const ReadEntry& read) {
   } else if (isArchiveName(name)) {
     note(fmt::format("{} was not opened: it is an archive within the submission.",
                      joined(path.pieces)));
+    // The entries' order decides nothing.
+    if (unopened_.empty() || notes_.back() < unopened_) unopened_ = notes_.back();
   } else {
     ++ignored_;
     if (isNearMiss(path.pieces)) nearMisses_.push_back(joined(path.pieces));
@@ -303,7 +292,9 @@ void Sorter::sayWhatIsMissing(const std::set<std::string>& seen, Collected& coll
                                    [](const auto& file) { return !partName(file.first).empty(); });
   if (anyPart) return;
   const char* verb = seen.empty() ? "is" : "could be read";
-  collected.failure =
+  // The work is probably in there.
+  if (seen.empty() && !unopened_.empty()) collected.failure = unopened_ + " ";
+  collected.failure +=
       asked.size() == 1
           ? fmt::format(
                 "Nothing was taken: neither {} nor another file of the coursework {} in it.",

@@ -61,6 +61,7 @@ class Sorter {
   std::vector<Candidate> candidates_;
   std::vector<std::string> notes_, refusedScenes_;
   std::vector<std::string> nearMisses_;  // "part3_lambertian (1).cpp"
+  std::string unopened_;                 // the first sentence about an archive within
   std::size_t entries_ = 0, keptBytes_ = 0, ignored_ = 0;
 };
 

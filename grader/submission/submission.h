@@ -47,9 +47,10 @@ using EarlierNames = std::map<std::filesystem::path, std::string>;
 // A folder that is no submission is a class: each of its entries may be one. A folder that is the
 // only path, and merely wraps another one, is a class of one. A folder of a class
 // that holds nothing but one archive, as learning platforms make them, is that archive under the
-// folder's name. Documents (.csv, .txt, .pdf and such) among the entries of a class are nobody's:
-// there is a remark about each and no more. A path that has nothing in it but files that are no
-// submission is left out as a whole. Whoever has an earlier name keeps it, and no other gets it.
+// folder's name. Documents (.csv, .txt, .pdf, .yml and such) among the entries of a class are
+// nobody's: there is a remark about each and no more. A path that has nothing in it but files that
+// are no submission is left out as a whole. Whoever has an earlier name keeps it, and no other gets
+// it.
 FoundSubmissions findSubmissions(std::span<const std::filesystem::path> paths,
                                  const EarlierNames& earlier = {});
 
@@ -71,7 +72,7 @@ struct Collected {
   std::string contents;  // hash of names and bytes: the same for a folder and any archive of it
   std::vector<std::string> remarks;  // what was refused, renamed, ignored or is missing: sentences
   std::vector<std::string> refusedScenes;  // those of them that are about scenes/*.json
-  std::string failure;                     // why nothing at all was taken: a sentence
+  std::string failure;                     // why nothing at all was taken: sentences
 };
 
 // Never throws because of what is in the submission. All is taken whatever is asked for, but no

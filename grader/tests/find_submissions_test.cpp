@@ -114,10 +114,11 @@ TEST_F(Finding, WhatIsNoSubmissionIsNamedAndStopsNothing) {
   EXPECT_EQ(found.submissions[0].name, "good");
   std::string all;
   for (const std::string& remark : found.remarks) all += remark + "\n";
-  for (const char* words : {"notes.txt\" was left out: a submission is",
-                            "nothing\" was left out: there is no submission in it",
-                            "two\" was left out: there are 2 archives in it",
-                            "link\" was left out: links within a class are not followed"})
+  for (const char* words :
+       {"notes.txt\" was left out: a submission is", "nothing\" was left out: the folder is empty",
+        "empty\" was left out: there is no submission in it",
+        "two\" was left out: there are 2 archives in it",
+        "link\" was left out: links within a class are not followed"})
     EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
 }
 
@@ -133,16 +134,61 @@ TEST_F(Finding, WhatIsLeftOutKeepsItsNameAndHasAReason) {
   Names names;
   for (const LeftOut& one : found.leftOut) {
     names.push_back(one.name);
-    EXPECT_TRUE(std::isupper(static_cast<unsigned char>(one.reason.front()))) << one.reason;
+    EXPECT_FALSE(std::islower(static_cast<unsigned char>(one.reason.front()))) << one.reason;
     EXPECT_TRUE(one.reason.ends_with(".")) << one.reason;
   }
   EXPECT_EQ(names, (Names{"Bob_1_", "carol", "dora", "emil"}));
   EXPECT_EQ(found.remarks.size(), found.leftOut.size());
 }
 
+TEST_F(Finding, AFolderWithoutASubmissionIsLeftOutForWhatIsWrongWithIt) {
+  write("class/ada/part0_warmup.cpp");
+  fs::create_directories(folder_ / "class/empty");
+  write("class/hidden/.DS_Store");
+  fs::create_directories(folder_ / "class/wrapped/deeper");
+  write("class/packed/work.7z");
+  write("class/rar/readme.txt");
+  write("class/rar/WORK.RAR");
+  write("class/renamed/part1_stratified-1.cpp");
+  write("class/numberless/work/parts.cpp");
+  write("class/other/readme.txt");
+  write("class/loose.rar");
+  write("class/part3.cpp");
+  std::map<std::string, std::string> reasons;
+  for (const LeftOut& one : find({"class"}).leftOut) reasons[one.name] = one.reason;
+  const std::string general = "A submission is a folder with part*.cpp, a zip or a tar.";
+  const std::map<std::string, std::string> expected{
+      {"empty", "The folder is empty."},
+      {"hidden", "The folder is empty."},
+      {"wrapped", "The folder is empty."},
+      {"packed", ".7z is not read: a zip or a tar is."},
+      {"rar", ".rar is not read: a zip or a tar is."},
+      {"loose", ".rar is not read: a zip or a tar is."},
+      {"renamed",
+       "\"part1_stratified-1.cpp\" is not the name of a file of the coursework, such as "
+       "part1_stratified.cpp."},
+      {"numberless",
+       "\"parts.cpp\" is not the name of a file of the coursework, such as part0_warmup.cpp."},
+      {"other", general},
+      {"part3", general}};
+  EXPECT_EQ(reasons, expected);
+}
+
+TEST_F(Finding, AFolderThatIsNamedAloneSaysTheSame) {
+  write("renamed/part3.cpp");
+  write("packed/work.7z");
+  const FoundSubmissions found = find({"renamed", "packed"});
+  ASSERT_EQ(found.leftOut.size(), 2u);
+  EXPECT_EQ(found.leftOut[0].reason, ".7z is not read: a zip or a tar is.");
+  EXPECT_NE(found.leftOut[1].reason.find("such as part3_lambertian.cpp"), std::string::npos)
+      << found.leftOut[1].reason;
+}
+
 TEST_F(Finding, ADocumentBesideSubmissionsIsNobodys) {
   write("class/alice/part0_warmup.cpp");
   write("class/grades.CSV");
+  write("class/submission_metadata.yml");
+  write("class/course.yaml");
   write("class/Thumbs.db");
   write("class/bob.cpp");
   const FoundSubmissions found = find({"class"});
@@ -153,7 +199,7 @@ TEST_F(Finding, ADocumentBesideSubmissionsIsNobodys) {
                           [](const std::string& remark) {
                             return remark.ends_with(" was taken for nobody's: it is a document.");
                           }),
-            2);
+            4);
 }
 
 TEST_F(Finding, AFolderOfNothingButFilesIsLeftOutAsOne) {

@@ -279,6 +279,8 @@ TEST_F(GradeCommand, WhatIsLeftOutReplacesNoMarkOfAnother) {
   const std::string before = rowOf(textOf(out() / "marks.csv"), "ada");
   fs::create_directories(folder_ / "group2/ada");
   fs::copy(classFolder() / "ada", folder_ / "group2/ben");
+  // No copy, of which there would be a remark.
+  std::ofstream(folder_ / "group2/ben/part6_roulette.cpp", std::ios::app) << "// mine\n";
   for (int again = 0; again < 2; ++again) {
     const ProcessResult result = run({PATHMARK_PROGRAM, "grade", quoted(folder_ / "group2"),
                                       "--out", quoted(out()), "--only", "part6"},
@@ -398,6 +400,89 @@ TEST_F(GradeCommand, KeepsTheSeedOfItsFolder) {
       run({PATHMARK_PROGRAM, "grade", quoted(classFolder()), "--out", quoted(out())}, kRoot);
   EXPECT_EQ(all.exitCode, 2);
   EXPECT_NE(all.output.find("part 6 only"), std::string::npos) << all.output;
+}
+
+TEST_F(GradeCommand, NamesSubmissionsOfTheSameFiles) {
+  add("lee");
+  add("kim");
+  add("ann", kWeight, "return {true, 1.0f};");
+  ASSERT_EQ(grade().exitCode, 0);
+  const std::string csv = textOf(out() / "marks.csv");
+  EXPECT_NE(rowOf(csv, "kim").find("The same files as in lee."), std::string::npos) << csv;
+  EXPECT_NE(rowOf(csv, "lee").find("The same files as in kim."), std::string::npos) << csv;
+  EXPECT_EQ(rowOf(csv, "ann").find("The same files"), std::string::npos) << csv;
+}
+
+TEST_F(GradeCommand, OrdersRowsByNameWhateverIsCapital) {
+  for (const char* name : {"zoe", "Yan", "task10", "Task9", "ada"})
+    fs::create_directories(classFolder() / name);
+  add("Ben");
+  ASSERT_EQ(grade().exitCode, 0);
+  const std::string csv = textOf(out() / "marks.csv");
+  std::size_t before = 0;
+  for (const std::string name : {"ada", "Ben", "Task9", "task10", "Yan", "zoe"}) {
+    const std::size_t at = csv.find("\n" + name + ",");
+    ASSERT_NE(at, std::string::npos) << name << "\n" << csv;
+    EXPECT_GT(at, before) << name << "\n" << csv;
+    before = at;
+  }
+}
+
+TEST_F(GradeCommand, MakesALostRunAnewFromItsRecords) {
+  add("right");
+  fs::create_directories(classFolder() / "empty");
+  ASSERT_EQ(grade({"--seed", "3"}).exitCode, 0);
+  const fs::path file = out() / "run.json";
+  const std::string run1 = textOf(file), csv = textOf(out() / "marks.csv"),
+                    before = textOf(recordOf("right"));
+  const std::vector<std::string> anew{PATHMARK_PROGRAM, "grade", "--out", quoted(out())};
+  for (const char* damaged : {"", "{", "[]", "{\"seed\": 3, \"parts\": [6]}"}) {
+    std::ofstream(file) << damaged;
+    const ProcessResult result = run(anew, kRoot);
+    EXPECT_EQ(result.exitCode, 0) << result.output;
+    EXPECT_EQ(textOf(file), run1) << damaged;
+  }
+  fs::remove(file);
+  const ProcessResult other = grade({"--seed", "4"});
+  EXPECT_EQ(other.exitCode, 2);
+  EXPECT_NE(other.output.find("was graded with seed 3"), std::string::npos) << other.output;
+  EXPECT_EQ(grade().exitCode, 0);
+  EXPECT_EQ(textOf(file), run1);
+  EXPECT_EQ(textOf(recordOf("right")), before) << "it was not graded again";
+  EXPECT_EQ(textOf(out() / "marks.csv"), csv);
+}
+
+TEST_F(GradeCommand, KnowsARunOfTheWholeByItsPictures) {
+  add("right");
+  ASSERT_EQ(grade({"--seed", "3"}).exitCode, 0);
+  Json whole = record("right");
+  whole["pictures"] = whole["parts"][0]["pictures"];
+  std::ofstream(recordOf("right")) << whole.dump();
+  fs::remove(out() / "run.json");
+  ASSERT_EQ(run({PATHMARK_PROGRAM, "grade", "--out", quoted(out())}, kRoot).exitCode, 0);
+  const Json known = Json::parse(textOf(out() / "run.json"));
+  EXPECT_EQ(known["whole"], true);
+  EXPECT_EQ(known["seed"], 3);
+  EXPECT_EQ(known["parts"].size(), parts().size());
+}
+
+TEST_F(GradeCommand, RefusesAFolderWhoseRunCannotBeKnown) {
+  for (const char* name : {"a", "b"}) add(name);
+  ASSERT_EQ(grade({"--seed", "3"}).exitCode, 0);
+  fs::remove(out() / "run.json");
+  const std::vector<std::string> anew{PATHMARK_PROGRAM, "grade", "--out", quoted(out())};
+  Json other = record("b");
+  other["seed"] = 4;
+  std::ofstream(recordOf("b")) << other.dump();
+  const ProcessResult disagree = run(anew, kRoot);
+  EXPECT_EQ(disagree.exitCode, 2) << disagree.output;
+  EXPECT_NE(disagree.output.find("not all of the same seed and parts"), std::string::npos)
+      << disagree.output;
+  for (const char* name : {"a", "b"}) std::ofstream(recordOf(name)) << "{";
+  const ProcessResult damaged = run(anew, kRoot);
+  EXPECT_EQ(damaged.exitCode, 2) << damaged.output;
+  EXPECT_NE(damaged.output.find("no record here can be read"), std::string::npos) << damaged.output;
+  EXPECT_FALSE(fs::exists(out() / "run.json"));
 }
 
 TEST_F(GradeCommand, SaysWhatItCannotMean) {

@@ -4,6 +4,8 @@
 #include "support/hostile.h"
 #include "support/sample_record.h"
 
+#include <fmt/format.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -100,10 +102,70 @@ TEST(MarksCsv, EndsWithTheFolderOrArchiveThatWasHandedIn) {
 
 TEST(MarksCsv, SaysNothingTwice) {
   test::SampleClass c = test::sampleClass();
+  c.records[0].contents = "its own";
   c.records[0].collecting = {"a.cpp was refused.", "b.cpp is missing."};
   c.marks[0].toReview = {"Look: a.cpp was refused."};
   const Rows rows = readCsv(marksCsv(c.graded()));
   EXPECT_EQ(column(rows, 1, "remarks"), "Look: a.cpp was refused. b.cpp is missing.");
+}
+
+TEST(MarksCsv, SaysWhoHasTheSameFiles) {
+  test::SampleClass c = test::sampleClass();
+  for (record::SubmissionRecord& record : c.records) record.contents = record.name;
+  for (const std::size_t copy : {0u, 1u, 3u}) c.records[copy].contents = "the same";
+  c.records[4].contents = "the same";  // was not graded
+  const Rows rows = readCsv(marksCsv(c.graded()));
+  const auto remarks = [&](std::size_t row) { return column(rows, row, "remarks"); };
+  EXPECT_TRUE(remarks(1).starts_with("The same files as in ben_of_all_sorts and dora_nearly."))
+      << remarks(1);
+  EXPECT_TRUE(remarks(2).starts_with("The same files as in anna_complete and dora_nearly."));
+  EXPECT_TRUE(remarks(4).starts_with("The same files as in anna_complete and ben_of_all_sorts."));
+  for (const std::size_t row : {3u, 5u})
+    EXPECT_EQ(remarks(row).find("The same files"), std::string::npos) << remarks(row);
+}
+
+TEST(MarksCsv, TakesNoStubsForCopies) {
+  test::SampleClass c = test::sampleClass();
+  for (record::SubmissionRecord& record : c.records)
+    for (record::PartRecord& part : record.parts) {
+      part.verdict = record::Verdict::kNotWritten;
+      for (record::FunctionRecord& function : part.functions)
+        function.verdict = record::Verdict::kNotWritten;
+    }
+  EXPECT_EQ(marksCsv(c.graded()).find("The same files"), std::string::npos);
+  // Without their markers.
+  for (record::SubmissionRecord& record : c.records)
+    for (record::FunctionRecord& function : record.parts.at(3).functions)
+      function.verdict = record::Verdict::kWrong, function.mistake = "stub";
+  EXPECT_EQ(marksCsv(c.graded()).find("The same files"), std::string::npos);
+  for (const std::size_t copy : {0u, 1u})
+    c.records[copy].parts.at(4).verdict = record::Verdict::kDoesNotCompile,
+    c.records[copy].parts.at(4).functions.clear();
+  EXPECT_NE(marksCsv(c.graded()).find("The same files as in ben_of_all_sorts."), std::string::npos);
+}
+
+TEST(MarksCsv, NamesNotEverybodyOfManyWithTheSameFiles) {
+  test::SampleClass c = test::sampleClass();
+  const record::SubmissionRecord one = c.records[0];
+  c.records.assign(9, one);
+  c.marks.assign(9, c.marks[0]);
+  for (std::size_t i = 0; i < c.records.size(); ++i) c.records[i].name = fmt::format("s{}", i);
+  EXPECT_NE(marksCsv(c.graded()).find("The same files as in s1, s2, s3, s4, s5 and 3 others."),
+            std::string::npos);
+}
+
+TEST(MarksCsv, SaysWhyAPictureIsMissingOnce) {
+  test::SampleClass c = test::sampleClass();
+  c.records[0].contents = "its own";
+  record::PictureRecord& lost = c.records[0].parts.at(5).pictures.at(0);
+  lost.failure = "The coursework printed more than 1024 KiB and was stopped.";
+  c.marks[0].toReview = {"Part 5: its efficiency was not measured."};
+  EXPECT_EQ(column(readCsv(marksCsv(c.graded())), 1, "remarks"),
+            "Part 5: its efficiency was not measured. Part 5: there is no picture of cornell_box: "
+            "The coursework printed more than 1024 KiB and was stopped.");
+  c.marks[0].toReview = {"Part 5: not measured: " + lost.failure};
+  EXPECT_EQ(column(readCsv(marksCsv(c.graded())), 1, "remarks"),
+            "Part 5: not measured: " + lost.failure);
 }
 
 TEST(MarksCsv, GivesNoPointsToWhatCouldNotBeGraded) {

@@ -1,6 +1,7 @@
 // report.html of submissions and classes: complete, in need of nothing, and safe.
 
 #include "report/class_html.h"
+#include "report/picture_html.h"
 #include "report/record_words.h"
 #include "report/submission_html.h"
 #include "report/svg_samples.h"
@@ -111,7 +112,8 @@ TEST(SubmissionHtml, TellsEverythingThatIsKnown) {
                             "bubblewrap",
                             "g++ 12.2.0",
                             "9d20b7f31c6e4a58",
-                            "./pathmark grade submissions/ben.zip --seed 4711",
+                            "./pathmark grade ben.zip --seed 4711",
+                            "<code>./pathmark check --seed 4711</code>",
                             "functions that were looked at are right",
                             "13 below the horizon"})
     EXPECT_NE(html.find(words), std::string::npos) << words;
@@ -218,17 +220,45 @@ TEST(SubmissionHtml, ShowsAPictureWithInvalidValuesAndTheirShare) {
 TEST(SubmissionHtml, TellsTheWholeCommandThatGivesTheSameMarks) {
   record::SubmissionRecord record = test::sampleRecord("ben");
   rubric::Marks marks = test::sampleMarks();
-  marks.rubric = "my rubric.json";
+  marks.rubric = "/home/teacher/my rubric.json";
   const auto has = [&](const std::string& command) {
     return submissionHtml(record, marks, test::samplePicture)
-               .find("<code>./pathmark grade submissions/ben.zip " + command + "</code>") !=
-           std::string::npos;
+               .find("<code>./pathmark grade ben.zip " + command + "</code>") != std::string::npos;
   };
   EXPECT_TRUE(has("--seed 4711 --rubric &#39;my rubric.json&#39;"));
   record.parts = {record.parts.at(3)};
   record.pictures.clear();
   marks.rubric.clear();
   EXPECT_TRUE(has("--only part3 --seed 4711"));
+  EXPECT_NE(submissionHtml(record, marks, test::samplePicture)
+                .find("<code>./pathmark check part3 --seed 4711</code>"),
+            std::string::npos);
+}
+
+TEST(SubmissionHtml, NamesNoFolderOfTheMachineThatItWasGradedOn) {
+  record::SubmissionRecord record = test::sampleRecord("ben");
+  rubric::Marks marks = test::sampleMarks();
+  marks.rubric = "/home/teacher/secret/rubric.json";
+  for (const char* source : {"/home/teacher/class/ben.zip", "/home/teacher/class/ben/"}) {
+    record.source = source;
+    const std::string html = submissionHtml(record, marks, test::samplePicture);
+    EXPECT_EQ(html.find("teacher"), std::string::npos);
+    EXPECT_NE(html.find("./pathmark grade ben"), std::string::npos);
+  }
+}
+
+TEST(SubmissionHtml, HasNoExponentsInPercentages) {
+  const auto text = [](double value) { return report::percentText({value, 0.96 * value, value}); };
+  EXPECT_EQ(text(1.0), "100 % (96 to 100 %)");
+  EXPECT_EQ(text(0.1234), "12 % (12 to 12 %)");
+  EXPECT_EQ(text(0.0996), "10 % (9.6 to 10 %)");
+  EXPECT_EQ(text(0.0212), "2.1 % (2 to 2.1 %)");
+  EXPECT_EQ(text(23.456), "2346 % (2252 to 2346 %)");
+  record::SubmissionRecord record = test::sampleRecord("ben");
+  record.parts.at(5).pictures.at(0).meanError[0] = {-1.04, -1.1, -1.0};
+  EXPECT_NE(submissionHtml(record, test::sampleMarks(), test::samplePicture)
+                .find("red \u2212104 %, green"),
+            std::string::npos);
 }
 
 TEST(SubmissionHtml, HasAVerdictOnScenesThatAreMissing) {
@@ -304,6 +334,39 @@ TEST(ClassHtml, PutsFirstWhatAPersonShouldLookAt) {
     EXPECT_NE(html.find(words), std::string::npos) << words;
     EXPECT_LT(html.find(words), html.find("<h2>Submissions</h2>"));
   }
+}
+
+TEST(ClassHtml, PutsFirstWhoHasTheSameFiles) {
+  test::SampleClass c = test::sampleClass();
+  for (record::SubmissionRecord& record : c.records) record.contents = record.name;
+  c.records[0].contents = c.records[3].contents;
+  const std::string html = classHtml(c.graded());
+  for (const char* line : {"anna_complete</a> The same files as in dora_nearly.</li>",
+                           "dora_nearly</a> The same files as in anna_complete.</li>"}) {
+    EXPECT_NE(html.find(line), std::string::npos) << line;
+    EXPECT_LT(html.find(line), html.find("<h2>Submissions</h2>"));
+  }
+  EXPECT_EQ(numberOf(html, "The same files"), 2u);
+}
+
+TEST(ClassHtml, SpeaksOfSeveralWithoutMarksInThePlural) {
+  test::SampleClass c = test::sampleClass();
+  c.add(test::leftOutRecord("fay"));
+  EXPECT_NE(classHtml(c.graded()).find("fay</a> was not graded: Nothing"), std::string::npos);
+  c.add(test::leftOutRecord("gil"));
+  EXPECT_NE(classHtml(c.graded()).find("gil</a> were not graded: Nothing"), std::string::npos);
+  for (const char* name : {"hal", "ida", "jon", "kim"}) c.add(test::leftOutRecord(name));
+  EXPECT_NE(classHtml(c.graded()).find("6 submissions were not graded: Nothing"),
+            std::string::npos);
+}
+
+TEST(ClassHtml, SaysWhyAPictureOfWhatIsRightIsMissing) {
+  test::SampleClass c = test::sampleClass();
+  c.records[0].parts.at(5).pictures.at(0).failure = "It printed more than 1024 KiB.";
+  const std::string html = classHtml(c.graded());
+  EXPECT_NE(html.find("Part 5: there is no picture of cornell_box: It printed more than 1024 KiB."),
+            std::string::npos);
+  EXPECT_NE(html.find("<li>part 5 without a picture</li>"), std::string::npos);
 }
 
 TEST(ClassHtml, SaysWhatWasHandedInWhereItIsNotTheName) {

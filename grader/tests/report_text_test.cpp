@@ -137,6 +137,25 @@ TEST(ClassTable, SpeaksOfSeveralPartsInThePlural) {
   EXPECT_NE(classTable(c.graded(), false).find("parts 3 and 4 do not compile"), std::string::npos);
 }
 
+TEST(ClassTable, HasNoWordsForPartsThatDoNotCount) {
+  test::SampleClass c = test::sampleClass();
+  for (const std::size_t place : {2u, 3u})
+    c.records[0].parts.at(place).verdict = record::Verdict::kWrong;
+  for (rubric::Marks& marks : c.marks) marks.parts = {marks.parts.at(3)};
+  const std::string table = classTable(c.graded(), false);
+  EXPECT_NE(table.find("part 3 wrong"), std::string::npos) << table;
+  for (const char* words : {"part 2", "parts", "whole"})
+    EXPECT_EQ(table.find(words), std::string::npos) << words << "\n" << table;
+}
+
+TEST(ClassTable, NamesAPartThatIsRightButHasNoPicture) {
+  test::SampleClass c = test::sampleClass();
+  for (const std::size_t place : {2u, 5u})
+    c.records[0].parts.at(place).pictures.at(0).failure = "It printed too much.";
+  EXPECT_NE(classTable(c.graded(), false).find("parts 2 and 5 without a picture"),
+            std::string::npos);
+}
+
 TEST(ClassTable, TellsAMissingFileFromAStub) {
   test::SampleClass c = test::sampleClass();
   for (const std::size_t place : {1u, 2u})
