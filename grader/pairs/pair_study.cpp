@@ -116,7 +116,7 @@ marking::Measured PairStudy::picture(const CourseworkBuild& build,
 }
 
 PairFinding PairStudy::of(const Pair& pair) {
-  const marking::Effort fine{kRaysPerPixel, kReplicates};
+  const marking::Effort fine{kRaysPerPixel * (pair.warmUp ? kTimesForWarmUp : 1), kReplicates};
   const marking::MarkingScene scene = sceneOf(pair);
   if (!solved_.contains(scene.name))
     solved_[scene.name] = picture(solutions_, scene, scene.name, fine);

@@ -39,7 +39,8 @@ inline constexpr double kSameAlpha = 1e-4;
 
 // Of the pictures of a whole pair and of the solutions. With each mistake alone they take
 // marking::kRaysPerPixel: what must show needs fewer.
-inline constexpr std::uint64_t kRaysPerPixel = 2048;
+// The warm-up, which meets lights by chance, takes kTimesForWarmUp as many.
+inline constexpr std::uint64_t kRaysPerPixel = 2048, kTimesForWarmUp = 8;
 inline constexpr std::uint32_t kReplicates = 32;
 
 // The least relative bias that an eye may see. A pair hides if its picture is the same, and the

@@ -46,8 +46,9 @@ and solutions for the others, so that each mistake meets functions that are righ
 each relative to its brightness, or to the picture's where it is darker, over that of a black
 picture, with what noise adds taken away, and its interval of 99 %.
 *Alone* is what the picture with one of the mistakes shows, at least. Pictures have 96 pixels along
-the longer side; those of a whole pair have 2048 rays per pixel, in 32 replicates. Where several
-functions of one part fail, the one with the mistake is called by the others.
+the longer side; those of a whole pair have 2048 rays per pixel, in 32 replicates, and eight times
+as many where the warm-up meets lights by chance. Where several functions of one part fail, the one
+with the mistake is called by the others.
 )";
 
 }  // namespace
