@@ -112,11 +112,6 @@ Match match(const Signature& seen, const FunctionCatalogue& known,
   if (known.features != hashOf(seen)) return result;
   result.distanceFromRight = distance(seen, known.right);
   if (!(result.distanceFromRight >= kExcluded)) return result;
-  if (known.stub && distance(seen, *known.stub) <= kAgrees) {
-    result.mistakes = {&*known.stub};
-    result.distance = distance(seen, *known.stub);
-    return result;
-  }
   std::vector<std::pair<double, const KnownSignature*>> agreeing;
   double nextBest = std::numeric_limits<double>::infinity();
   for (const KnownSignature& mistake : known.mistakes) {
@@ -126,6 +121,11 @@ Match match(const Signature& seen, const FunctionCatalogue& known,
       agreeing.emplace_back(d, &mistake);
     else
       nextBest = std::min(nextBest, d);
+  }
+  if (agreeing.empty() && known.stub && distance(seen, *known.stub) <= kAgrees) {
+    result.mistakes = {&*known.stub};
+    result.distance = distance(seen, *known.stub);
+    return result;
   }
   if (agreeing.empty() || agreeing.size() > kMostAlike || nextBest < kExcluded) return result;
   std::stable_sort(agreeing.begin(), agreeing.end(),

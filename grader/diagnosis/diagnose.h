@@ -6,8 +6,8 @@
 //
 // A mistake is named only if all features agree with it, what is right is excluded, and every
 // other mistake is excluded with a margin. Two mistakes that no probe tells apart are named
-// together; where there are more, none is. What answers as the stub does is said to be the stub,
-// whatever else answers like it.
+// together; where there are more, none is. What answers as the stub does, and as no
+// known mistake, is the stub.
 #pragma once
 
 #include "diagnosis/catalogue.h"

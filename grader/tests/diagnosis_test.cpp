@@ -75,11 +75,13 @@ TEST(Diagnosis, NamesNothingWhereOneFeatureDisagrees) {
   EXPECT_EQ(diagnose(signatureOf({0.6, 0.25, 0.95}), kTwo).mistake, "");
 }
 
-TEST(Diagnosis, NamesTheStubWhateverElseAnswersLikeIt) {
+TEST(Diagnosis, NamesTheStubWhereNoMistakeAnswersLikeIt) {
   FunctionCatalogue withStub = kTwo;
-  withStub.stub = known(kStub, {0.6, 0.25, 0.9});
-  EXPECT_EQ(diagnose(signatureOf({0.6, 0.25, 0.9}), withStub).mistake, kStub);
+  withStub.stub = known(kStub, {0.0, 0.0, 0.0});
+  EXPECT_EQ(diagnose(signatureOf({0.0, 0.0, 0.0}), withStub).mistake, kStub);
   EXPECT_EQ(diagnose(signatureOf({0.4, 0.25, 1.0}), withStub).mistake, "small");
+  withStub.stub = known(kStub, {0.6, 0.25, 0.9});
+  EXPECT_EQ(diagnose(signatureOf({0.6, 0.25, 0.9}), withStub).mistake, "large");
   withStub.stub = known(kStub, {0.5, 0.25, 1.0});
   EXPECT_EQ(diagnose(signatureOf({0.5, 0.25, 1.0}), withStub).mistake, "") << "it is right";
 }

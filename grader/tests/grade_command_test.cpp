@@ -98,7 +98,7 @@ TEST_F(GradeCommand, StubsWithoutTheirMarkersEarnNothing) {
   EXPECT_TRUE(row.starts_with("nothing,0,100,")) << row;
   for (const Json& part : record("nothing")["parts"]) {
     if (partNumbered(part["part"]).bonus) continue;
-    for (const Json& f : part["functions"]) EXPECT_EQ(f["mistake"], "stub") << f["name"];
+    for (const Json& f : part["functions"]) EXPECT_NE(f["mistake"], "") << f["name"];
   }
 }
 
