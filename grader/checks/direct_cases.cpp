@@ -246,11 +246,11 @@ Finding judgeDarkness(CheckRun& run, const std::vector<DarkCase>& cases) {
       invalid += e.invalid;
       if (e.invalid < kRays) mean += glm::dvec3(e.mean[0], e.mean[1], e.mean[2]) / 4.0;
     }
-    exact.count(kReplicates * kRays);
+    exact.count(std::uint64_t{kReplicates} * kRays);
     exact.holds(
         invalid == 0 && mean == glm::dvec3(0.0), fmt::format("no light: {}", c.why),
         [&] {
-          return invalid > 0 ? invalidText(invalid, kReplicates * kRays)
+          return invalid > 0 ? invalidText(invalid, std::uint64_t{kReplicates} * kRays)
                              : fmt::format("mean radiance = {}", text(vec3(mean)));
         },
         [&] { return c.room.text(); });
