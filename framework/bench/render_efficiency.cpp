@@ -155,10 +155,10 @@ void addMeanFigures(RenderBench& bench, const SceneSamples& s) {
   add(bench.plan.manyRays, s.many);
 }
 
-// Which rays the raw rate is of decides: those from points by area leave mostly the floor's far
-// parts and the blob's top for the sky, and cost little. Diffuse rays are, as since Aila and Laine,
-// "Understanding the Efficiency of Ray Traversal on GPUs" (HPG 2009), those that leave what the
-// camera sees, as a render's do.
+// Diffuse rays leave what the camera sees (Aila and Laine, "Understanding the Efficiency of Ray
+// Traversal on GPUs", HPG 2009), as a render's do. Those from points by area leave mostly the
+// floor's far parts and the blob's top for the sky, and cost less: they stand beside them without a
+// target.
 void addEmbreeFigures(RenderBench& bench, const SceneSamples& s) {
   const auto note = [](const RaySubject& subject, const std::vector<double>& rate) {
     return fmt::format(
