@@ -1,27 +1,25 @@
-// Progress: one line on a terminal that says how far a run is; nothing off a terminal.
+// Progress: the progress bar of a run whose steps are known.
 #pragma once
+
+#include "host/progress_bar.h"
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace pathmark::bench {
 
 class Progress {
  public:
-  Progress(std::string title, double steps);
-  ~Progress() { clear(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  Progress(std::string title, double steps) : bar_(std::move(title)), steps_(steps) {}
 
-  void show(std::string_view what);
+  void show(std::string_view what) { bar_.show(done_ / steps_, what); }
   void advance(double steps) { done_ += steps; }
-  void clear();
+  void clear() { bar_.clear(); }
 
  private:
-  std::string title_;
+  ProgressBar bar_;
   double steps_, done_ = 0.0;
-  bool terminal_;
-  bool shown_ = false;
 };
 
 }  // namespace pathmark::bench

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -30,8 +31,10 @@ std::string timeLeft(const RenderStatus& status) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string title)
-    : title_(std::move(title)), terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::string title, Clock::duration betweenLines)
+    : title_(std::move(title)),
+      betweenLines_(betweenLines),
+      terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::show(const RenderStatus& status) {
   const double rate = static_cast<double>(status.raysTraced) / std::max(status.seconds, 1e-9);
@@ -39,7 +42,9 @@ void ProgressBar::show(const RenderStatus& status) {
 }
 
 void ProgressBar::show(double fraction, std::string_view what) {
-  if (!terminal_ || lineOpen_) return;
+  fraction = std::clamp(fraction, 0.0, 1.0);
+  if (lineOpen_) return;
+  if (!terminal_) return showLine(fraction, what);
   constexpr int kWidth = 24;
   const int full = static_cast<int>(std::lround(fraction * kWidth));
   const std::string line =
@@ -48,6 +53,14 @@ void ProgressBar::show(double fraction, std::string_view what) {
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;
+}
+
+void ProgressBar::showLine(double fraction, std::string_view what) {
+  const Clock::time_point now = Clock::now();
+  if (now - lastLine_ < betweenLines_) return;
+  lastLine_ = now;
+  fmt::print(stderr, "{}: {:.0f}%{}{}\n", title_, 100.0 * fraction, what.empty() ? "" : ", ", what);
+  std::fflush(stderr);
 }
 
 void ProgressBar::clear() {

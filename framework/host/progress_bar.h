@@ -1,8 +1,10 @@
-// ProgressBar: one line on a terminal that says how far a command is; nothing off a terminal.
+// ProgressBar: one line on a terminal that says how far a command is. Elsewhere, as in the log of a
+// long job, a line of its own each minute, so that short commands print none.
 #pragma once
 
 #include "host/render_loop.h"
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -10,7 +12,9 @@ namespace pathmark {
 
 class ProgressBar {
  public:
-  explicit ProgressBar(std::string title);
+  using Clock = std::chrono::steady_clock;
+
+  explicit ProgressBar(std::string title, Clock::duration betweenLines = std::chrono::minutes(1));
   ~ProgressBar() { clear(); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -24,7 +28,11 @@ class ProgressBar {
   void printAbove(std::string_view text);
 
  private:
+  void showLine(double fraction, std::string_view what);
+
   std::string title_;
+  Clock::duration betweenLines_;
+  Clock::time_point lastLine_ = Clock::now();
   bool terminal_;
   bool shown_ = false;
   bool lineOpen_ = false;
