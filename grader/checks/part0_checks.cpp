@@ -9,6 +9,7 @@ std::span<const Check> part0Checks() {
     std::vector<Check> all = part0IntersectionChecks();
     for (const Check& check : part0SamplingChecks()) all.push_back(check);
     for (const Check& check : part0RadianceChecks()) all.push_back(check);
+    for (const Check& check : part0BackChecks()) all.push_back(check);
     return all;
   }();
   return kChecks;

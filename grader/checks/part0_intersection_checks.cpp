@@ -71,6 +71,8 @@ Finding hitsAreFound(CheckRun& run) {
   const Results results = calls.run(run.worker);
   Exact exact{"hits behind the origin of the ray count: t > 0 is not asked for",
               "b1 + b2 <= 1 is not tested: the triangle is hit as if it were a parallelogram",
+              "b1 <= 1 is tested instead of b1 + b2 <= 1",
+              "b2 <= 1 is tested instead of b1 + b2 <= 1",
               "the triangle is hit only from the side from which its corners run counter-clockwise",
               "the triangle is hit only from the side from which its corners run clockwise"};
   exact.count(results.count());
@@ -84,8 +86,8 @@ Finding hitsAreFound(CheckRun& run) {
     if (!m.clear()) continue;
     const bool hit = results.word(i, 0) != 0, expected = m.hit();
     const double t = results.number(i, 1);
-    const bool parallelogram =
-        m.b1 >= 0.0 && m.b1 <= 1.0 && m.b2 >= 0.0 && m.b2 <= 1.0 && m.t > 0.0;
+    const bool ahead = m.b1 >= 0.0 && m.b2 >= 0.0 && m.t > 0.0;
+    const bool parallelogram = ahead && m.b1 <= 1.0 && m.b2 <= 1.0;
     exact.answer(
         hit, expected,
         expected     ? fmt::format("a hit at t = {:.6g}", m.t)
@@ -93,15 +95,16 @@ Finding hitsAreFound(CheckRun& run) {
                      : fmt::format("no hit: b1 = {:.3g}, b2 = {:.3g}", m.b1, m.b2),
         [&] { return hit ? fmt::format("a hit at t = {:.6g}", t) : "no hit"; },
         [&] { return where(i); },
-        {m.inside(), parallelogram, expected && m.determinant > 0.0,
-         expected && m.determinant < 0.0});
+        {m.inside(), parallelogram, ahead && m.b1 <= 1.0, ahead && m.b2 <= 1.0,
+         expected && m.determinant > 0.0, expected && m.determinant < 0.0});
     falseHits |= hit && !expected;
     if (!expected) continue;
     for (Threshold* threshold : {&determinants, &distances}) {
       const double x = threshold == &distances ? m.t : std::abs(m.determinant);
       hit ? threshold->found(x) : threshold->missed(x);
     }
-    if (hit) exact.value("t", t, m.t, m.tError, [&] { return where(i); }, {m.t, m.t, m.t, m.t});
+    if (hit)
+      exact.value("t", t, m.t, m.tError, [&] { return where(i); }, {m.t, m.t, m.t, m.t, m.t, m.t});
   }
   askRepeatable(exact, results, inputs.size(), where);
   Finding finding = exact.finding();
@@ -169,7 +172,11 @@ struct Soup {
   std::vector<Corners> corners;
   std::vector<Words> words;  // of each triangle
 
-  void add(const Corners& c, const Vector& normal) {
+  // The normal is the triangle's own, on either side.
+  void add(const Corners& c, bool turned) {
+    const glm::dvec3 a(c[0]);
+    const glm::dvec3 n = glm::normalize(glm::cross(glm::dvec3(c[1]) - a, glm::dvec3(c[2]) - a));
+    const Vector normal(turned ? -n : n);
     const auto k = static_cast<float>(corners.size());
     corners.push_back(c);
     words.push_back(Words().add(c[0], c[1], c[2], normal, vec3(1.0f / (2.0f + k), 0.5f, 0.25f),
@@ -266,7 +273,7 @@ Finding nearestIsFound(CheckRun& run) {
               "have put 0 into it"};
   Soup layers;
   for (const float z : {-1.0f, 0.0f, -2.0f})
-    layers.add({Point(0, 0, z), Point(1, 0, z), Point(0, 1, z)}, {0, 0, 1});
+    layers.add({Point(0, 0, z), Point(1, 0, z), Point(0, 1, z)}, false);
   const std::vector<Ray> plain{{{0.25f, 0.25f, 1.0f}, {0, 0, -1}},
                                {{0.25f, 0.25f, -5.0f}, {0, 0, 1}},
                                {{0.25f, 0.25f, 1.0f}, {0, 0, 1}},
@@ -278,7 +285,7 @@ Finding nearestIsFound(CheckRun& run) {
   for (const double size : {1.0, 1e-3, 1e4}) {
     Soup soup;
     for (int k = 0; k < 12; ++k)
-      soup.add(randomMeeting(random, size, random.number(), 1.0).corners, random.direction());
+      soup.add(randomMeeting(random, size, random.number(), 1.0).corners, random.below(2) == 0);
     std::vector<Ray> rays;
     for (int k = 0; k < 200; ++k) {
       const RayAndTriangle aimed = randomMeeting(random, size, 1.0, 1.0);

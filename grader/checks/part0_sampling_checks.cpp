@@ -107,7 +107,9 @@ Finding numbersAreTheHighBits(CheckRun& run) {
                        fits(0, results.word(0, 3), results.word(0, 2));
   Exact exact{
       "a 32-bit integer near 2^32 is rounded up when it becomes a float, and times 2^-32 it "
-      "is exactly 1: convert the upper 24 bits only"};
+      "is exactly 1: convert the upper 24 bits only",
+      "both numbers are made from v.x; one comes from v.x and one from v.y",
+      "both numbers are made from v.y; one comes from v.x and one from v.y"};
   exact.count(results.count());
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto where = [&] {
@@ -120,9 +122,9 @@ Finding numbersAreTheHighBits(CheckRun& run) {
       const bool roundedUp = static_cast<float>(word) * 0x1p-32f >= 1.0f;
       exact.answer(got >= 0.0 && got < 1.0, true, "numbers of at least 0 and below 1",
                    [&] { return fmt::format("number {} = {:.9g}", c + 1, got); }, where,
-                   {!roundedUp});
+                   {!roundedUp, true, true});
       exact.value(fmt::format("number {}", c + 1), got, word * 0x1p-32, kAllowed, where,
-                  {word * 0x1p-32});
+                  {word * 0x1p-32, results.word(i, 2) * 0x1p-32, results.word(i, 3) * 0x1p-32});
     }
   }
   return exact.finding();

@@ -1,7 +1,8 @@
 // PCG2D (Jarzynski & Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020), there and back.
 //
-//   pcg2d    the hash of a seed, which is the next seed
-//   seedOf   the seed that has a given hash
+//   pcg2d           the hash of a seed, which is the next seed
+//   seedOf          the seed that has a given hash
+//   hashesBetween   how many steps lead from one seed to another
 #pragma once
 
 #include <pathmark/types.h>
@@ -34,6 +35,14 @@ inline uvec2 seedOf(uvec2 hash) {
     hash.x -= pcg::kMultiplier * hash.y;
   }
   return (hash - pcg::kIncrement) * inverse;
+}
+
+inline constexpr int kNoHashes = -1;  // none lead there
+
+inline int hashesBetween(uvec2 from, uvec2 to, int most) {
+  for (int hashes = 0; hashes <= most; ++hashes, from = pcg2d(from))
+    if (from == to) return hashes;
+  return kNoHashes;
 }
 
 }  // namespace pathmark::checks

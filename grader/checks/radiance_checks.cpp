@@ -118,4 +118,17 @@ Finding judgeRadiance(CheckRun& run, const RadianceQuestion& question, const glm
   return finding;
 }
 
+Finding judgeAll(CheckRun& run, const std::vector<std::function<Finding(CheckRun&)>>& questions) {
+  Finding finding;
+  std::uint64_t calls = 0;
+  for (const auto& judge : questions) {
+    CheckRun own{run.worker, run.seed + calls, run.budget};
+    finding = judge(own);
+    calls += finding.calls;
+    if (!finding.passed()) break;
+  }
+  finding.calls = calls;
+  return finding;
+}
+
 }  // namespace pathmark::checks

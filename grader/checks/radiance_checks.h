@@ -3,6 +3,7 @@
 //   MeshWords       triangles and plates as the warm-up gets them
 //   EvenRoom        a closed room in which everything looks the same
 //   judgeRadiance   the mean radiance over evenly spread seeds
+//   judgeAll        several questions, one after the other
 #pragma once
 
 #include "checks/calls.h"
@@ -77,5 +78,8 @@ struct SuspectedRadiance {
 // points.
 Finding judgeRadiance(CheckRun& run, const RadianceQuestion& question, const glm::dvec3& expected,
                       const std::vector<SuspectedRadiance>& suspects);
+
+// Until one fails; a later one sees other numbers.
+Finding judgeAll(CheckRun& run, const std::vector<std::function<Finding(CheckRun&)>>& questions);
 
 }  // namespace pathmark::checks

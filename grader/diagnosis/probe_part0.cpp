@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace pathmark::diagnosis {
@@ -47,6 +48,15 @@ Signature triangle(const ProbeRun& run) {
       signature.add("t over what it must be (-1: no hit) " + where,
                     hit ? results.number(0, 1) / m.t : -1.0);
     }
+  // A threshold for the determinant misses the one, a threshold for t the other.
+  for (const auto& [size, distance] : {std::pair{1e-4f, 1.0f}, std::pair{1.0f, 5e-5f}}) {
+    Calls calls(run.function);
+    calls.add(Ray{{0.25f * size, 0.25f * size, distance}, {0, 0, -1}}, Point(0.0f),
+              Point(size, 0, 0), Point(0, size, 0));
+    signature.addAnswer(
+        fmt::format("whether a triangle of size {} is hit from a distance of {}", size, distance),
+        calls.run(run.worker).word(0, 0) != 0);
+  }
   return signature;
 }
 
@@ -60,7 +70,9 @@ Signature mesh(const ProbeRun& run) {
     std::vector<Corners> all;
     for (int k = 0; k < kTriangles; ++k) {
       all.push_back(randomMeeting(random, 1.0, random.number(), 1.0).corners);
-      words.add(all.back()[0], all.back()[1], all.back()[2], random.direction(),
+      const auto& [a, b, c] = all.back();
+      words.add(a, b, c,
+                (random.below(2) == 0 ? 1.0f : -1.0f) * glm::normalize(glm::cross(b - a, c - a)),
                 vec3(float(k), 0.5f, 0.25f), vec3(0.0f));
     }
     for (int k = 0; k < 6; ++k) {

@@ -4,13 +4,17 @@
 #include "checks/pcg2d.h"
 #include "checks/points.h"
 #include "checks/radiance_checks.h"
+#include "checks/shells.h"
 #include "diagnosis/warmup_probes.h"
+
+#include <pathmark/warmup.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace pathmark::diagnosis {
 
@@ -74,12 +78,81 @@ MeshWords twoPlates(const glm::dvec3& emission) {
   return mesh;
 }
 
+void addShells(const ProbeRun& run, const std::vector<Shell>& shells, bool outermostInwards,
+               const std::string& where, Signature& signature) {
+  Random random(8);
+  const Shells scene(random, shells, outermostInwards);
+  const Point inside = scene.room.inside(random);
+  const Vector direction = random.direction();
+  addMeans(
+      run, scene.mesh.words(), where, Colour(1.0f),
+      [&](Calls& calls, uvec2 seed) { calls.add(inside, direction, seed); }, signature);
+}
+
+// A call that begins at this place of the triangle number 0, or a path that hits it first.
+void addCallAt(const ProbeRun& run, const glm::dvec3& x, const glm::dvec3& n, uvec2 seed,
+               Calls& calls) {
+  if (run.function == CourseworkFunction::kGetRayRadiance)
+    calls.add(Point(x + 0.1 * n), Vector(-n), seed);
+  else
+    calls.add(Point(x), 0, seed);
+}
+
+// A right path may draw numbers at its last hit or not.
+void addSeeds(const ProbeRun& run, int fewest, Signature& signature) {
+  constexpr int kMost = 4 * MAX_PATH_LENGTH, kCalls = 40;
+  Random random(9);
+  const EvenRoom room(random, 1.0);
+  Calls calls(run.function, room.mesh.words());
+  std::vector<uvec2> seeds;
+  for (int k = 0; k < kCalls; ++k) {
+    const std::uint32_t x = random.bits();
+    seeds.emplace_back(x, random.bits());
+    addCallAt(run, glm::dvec3(room.pointOn(0)), room.normal(0), seeds.back(), calls);
+  }
+  const Results results = calls.run(run.worker);
+  bool changed = true, made = true;
+  int enough = 0;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const uvec2 next(results.word(i, 3), results.word(i, 4));
+    const int hashes = hashesBetween(seeds[i], next, kMost);
+    changed = changed && next != seeds[i];
+    made = made && hashes != kNoHashes;
+    enough += hashes >= fewest ? 1 : 0;
+  }
+  signature.addAnswer("whether the seed is another after a call", changed);
+  signature.addAnswer("whether it is one that get_random_numbers makes from the one before", made);
+  signature.addAnswer(fmt::format("whether that takes {} calls or more", fewest),
+                      2 * enough > kCalls);
+}
+
+// Far enough from the origin for its points to be rounded to either side of it.
+void addLoneTriangle(const ProbeRun& run, Signature& signature) {
+  Random random(10);
+  const DoubleFrame frame{glm::dvec3(random.direction())};
+  const glm::dvec3 a = 30.0 * frame.u + 21.0 * frame.n - 27.0 * frame.v;
+  MeshWords mesh;
+  mesh.triangle(a, a + 2.0 * frame.u, a + 2.0 * frame.v, frame.n, Colour(0.8f), Colour(1.0f));
+  Calls calls(run.function, mesh.words());
+  for (int k = 0; k < 200; ++k) {
+    const glm::dvec3 x =
+        a + random.between(0.2, 0.9) * frame.u + random.between(0.2, 0.9) * frame.v;
+    const std::uint32_t word = random.bits();
+    addCallAt(run, x, frame.n, uvec2(word, random.bits()), calls);
+  }
+  const Results results = calls.run(run.worker);
+  bool again = false;
+  for (std::size_t i = 0; i < results.count(); ++i)
+    again = again || results.vector(i, 0).x > 1.0001f;
+  signature.addAnswer("whether a ray that leaves a triangle ever meets the same one", again);
+}
+
 }  // namespace
 
 Signature probeBounce(const ProbeRun& run) {
   Random random(6);
   Signature signature;
-  for (const double size : {1.0, 1e-3}) {
+  for (const double size : {1.0, 3e-6}) {
     const EvenRoom room(random, size);
     addMeans(
         run, room.mesh.words(), fmt::format("in a room of size {} that emits evenly", size),
@@ -97,18 +170,23 @@ Signature probeBounce(const ProbeRun& run) {
   addMeans(
       run, behind.words(), "under the back of a plate that emits", Colour(1.0f),
       [](Calls& calls, uvec2 seed) { calls.add(Point(0.1f, 0.0f, -0.2f), 0, seed); }, signature);
+  addSeeds(run, 1, signature);
+  addLoneTriangle(run, signature);
   return signature;
 }
 
 Signature probeWarmUpPath(const ProbeRun& run) {
   Random random(7);
   Signature signature;
-  const EvenRoom room(random, 0.5);
-  const Point inside = room.inside(random);
-  const Vector direction = random.direction();
-  addMeans(
-      run, room.mesh.words(), "in a room that emits evenly", EvenRoom::kEmission,
-      [&](Calls& calls, uvec2 seed) { calls.add(inside, direction, seed); }, signature);
+  for (const double size : {100.0, 3e-6}) {
+    const EvenRoom room(random, size);
+    const Point inside = room.inside(random);
+    const Vector direction = random.direction();
+    addMeans(
+        run, room.mesh.words(), fmt::format("in a room of size {} that emits evenly", size),
+        EvenRoom::kEmission, [&](Calls& calls, uvec2 seed) { calls.add(inside, direction, seed); },
+        signature);
+  }
   for (const double own : {0.0, 0.7})
     addMeans(
         run, twoPlates(glm::dvec3(own)).words(),
@@ -121,6 +199,18 @@ Signature probeWarmUpPath(const ProbeRun& run) {
       run, twoPlates(glm::dvec3(1.0)).words(), "where a ray meets nothing", Colour(1.0f),
       [](Calls& calls, uvec2 seed) { calls.add(Point(0.1f, 0.3f, -0.2f), Vector(1, 0, 0), seed); },
       signature);
+  addShells(run, faintShells(), false, "out of shells that emit more and more", signature);
+  addShells(run, blackShells(), false, "out of shells that do not reflect all colours", signature);
+  const Shell alike{glm::dvec3(EvenRoom::kColour), glm::dvec3(EvenRoom::kEmission)};
+  addShells(run, {alike, alike}, true, "out of a shell into a room of the same kind", signature);
+  addSeeds(run, MAX_PATH_LENGTH - 1, signature);
+  addLoneTriangle(run, signature);
+  MeshWords bright;
+  bright.plate(plateAt(0.0, true, glm::dvec3(0.0), glm::dvec3(2000.0)));
+  Calls calls(run.function, bright.words());
+  calls.add(Point(0.1f, 0.3f, -0.2f), Vector(0, -1, 0), uvec2(1, 2));
+  signature.add("radiance (red) from a light of emission 2000",
+                calls.run(run.worker).vector(0, 0).x, 0.0, 2000.0);
   return signature;
 }
 
