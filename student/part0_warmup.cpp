@@ -13,7 +13,7 @@ namespace pathmark {
 // t > 0, from whichever side the ray comes.
 //
 //   ray        origin and unit direction
-//   triangle   its corners are triangle.positions[0], [1], [2]
+//   triangle   its corners are triangle.positions[0], [1], [2]; its normal may be to either side
 //   t          set to the distance along the ray, in scene units, if there is a hit
 //
 // Returns whether there is a hit. A triangle without area is never hit.
@@ -102,10 +102,12 @@ vec3 compute_direct_illumination(vec3 /*point*/, const Triangle& /*triangle*/, c
 //
 // Start with L = 0 and throughput T = 1. At each hit, at most MAX_PATH_LENGTH of them:
 //   L += T Le(hit);  omega = a direction of the hemisphere;  T *= a/pi * 2 pi * (n . omega)
-// and go on with the ray from the hit towards omega. Stop when the ray meets nothing.
+// and go on with the ray from the hit towards omega, by spawn_ray. Stop when the ray meets nothing.
+// n is the triangle's own normal and is never turned: after a hit from behind the path goes on
+// through the triangle.
 //
 //   origin, direction   the ray; unit direction
-//   seed                for get_random_numbers: one call at each hit
+//   seed                for get_random_numbers: one call at each hit, of `seed` itself and no copy
 //
 // Returns a radiance.
 vec3 get_ray_radiance(vec3 /*origin*/, vec3 /*direction*/, const Mesh& /*mesh*/, uvec2& /*seed*/) {

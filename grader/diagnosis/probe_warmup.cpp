@@ -49,7 +49,8 @@ void addMeans(const ProbeRun& run, const Words& mesh, const std::string& where, 
   for (std::size_t i = 0; i < results.count(); ++i) {
     const std::span<double> of = means.of(static_cast<std::uint32_t>(i / kSeeds));
     const vec3 radiance = results.vector(i, 0);
-    if (!results.finite(i))
+    // The seed follows, whose bits may look like no number.
+    if (!std::isfinite(radiance.x + radiance.y + radiance.z))
       of[4] += 1.0;
     else
       for (std::size_t c = 0; c < 3; ++c)

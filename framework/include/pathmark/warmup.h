@@ -22,7 +22,7 @@ namespace pathmark {
 
 struct Triangle {
   vec3 positions[3]{vec3(0.0f), vec3(0.0f), vec3(0.0f)};
-  vec3 normal{0.0f};    // unit length
+  vec3 normal{0.0f};    // unit length, perpendicular to the triangle, to either side of it
   vec3 colour{0.0f};    // diffuse reflectance a, each channel in [0,1]
   vec3 emission{0.0f};  // radiance, the same to all directions on both sides
 };
