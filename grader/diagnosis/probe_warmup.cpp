@@ -122,9 +122,10 @@ void addSeeds(const ProbeRun& run, int fewest, Signature& signature) {
     enough += hashes >= fewest ? 1 : 0;
   }
   signature.addAnswer("whether the seed is another after a call", changed);
-  signature.addAnswer("whether it is one that get_random_numbers makes from the one before", made);
-  signature.addAnswer(fmt::format("whether that takes {} calls or more", fewest),
-                      2 * enough > kCalls);
+  signature.addAnswer("whether that seed is made by get_random_numbers", made);
+  signature.addAnswer(
+      fmt::format("whether that seed is made by {} calls of get_random_numbers or more", fewest),
+      2 * enough > kCalls);
 }
 
 // Far enough from the origin for its points to be rounded to either side of it.
