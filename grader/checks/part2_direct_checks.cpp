@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -105,6 +106,89 @@ DirectCase receiverThatEmits(Random& random) {
   return caseOf(room, 256);
 }
 
+// What hides a parallelogram light from p0 + share (p1 - p0) on: a parallelogram at a part of the
+// way from the receiver.
+std::vector<Point> screenBefore(const RoomLight& light, const Point& x, double share, double way) {
+  constexpr double kMargin = 0.2;
+  const glm::dvec3 p0(light.vertices[0]), v1 = glm::dvec3(light.vertices[1]) - p0,
+                                          v2 = glm::dvec3(light.vertices[3]) - p0;
+  const auto on = [&](double a, double b) {
+    return Point(glm::mix(glm::dvec3(x), p0 + a * v1 + b * v2, way));
+  };
+  return {on(share, -kMargin), on(1.0 + kMargin, -kMargin), on(1.0 + kMargin, 1.0 + kMargin),
+          on(share, 1.0 + kMargin)};
+}
+
+// Of two lights the first sends nothing, and the second is in full view.
+std::vector<LitCase> besideADarkLight() {
+  constexpr const char* kCause = "a light that sends nothing ends the loop over the lights";
+  const RoomLight shines = plainLight(LightShape::kParallelogram);
+  std::vector<LitCase> cases;
+  const auto add = [&](const RoomLight& dark, const char* why) -> LitRoom& {
+    cases.push_back({{{dark, shines}, {}, kBelowPlainLight}, why, kCause});
+    return cases.back().room;
+  };
+  RoomLight aside = shines;
+  for (Point& v : aside.vertices) v.x += 20.0f;
+  LitRoom& hidden = add(aside, "a screen hides the first light, and not the second");
+  hidden.screens.push_back(screenBefore(aside, hidden.receiver.p, -0.2, 0.5));
+  RoomLight below = shines;
+  for (Point& v : below.vertices) v.y = -v.y;
+  std::ranges::reverse(below.vertices);
+  add(below, "the first light is below the horizon, the second above it");
+  RoomLight turned = aside;
+  std::ranges::reverse(turned.vertices);
+  add(turned, "the first light has turned its back, the second has not");
+  add({.centre = {0, 0, 0}, .radius = 50.0f, .emission = kPlainEmission},
+      "the first light is a sphere around everything that shines outwards, the second is in it");
+  return cases;
+}
+
+// Lights of a single channel, very small and very large ones, the last of many, and the one that
+// the receiver is a part of.
+std::vector<LitCase> unusualLights(std::uint64_t seed) {
+  const LitRoom plain{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
+  std::vector<LitCase> cases;
+  for (int channel = 0; channel < 3; ++channel) {
+    LitRoom room = plain;
+    room.lights[0].emission = Colour(0.0f);
+    room.lights[0].emission[channel] = 2.0f;
+    cases.push_back({room, "the light shines in one channel only",
+                     "a light is taken for black where only some of its channels are 0"});
+  }
+  Random random(seed);
+  for (const double size : {1e-5, 1e6}) {
+    const RoomLight light = makeLight(random, LightShape::kParallelogram, size);
+    cases.push_back({{{light}, {}, place(random, light, Placement::kWhollyLit)},
+                     "the light is as large in view as any other, and only the unit of length is "
+                     "another",
+                     "a distance, a density or a cosine that is small is taken for 0"});
+  }
+  constexpr int kMany = 12;
+  for (const std::size_t shining : {0u, 5u, 11u}) {
+    LitRoom room{{}, {}, kBelowPlainLight};
+    for (int k = 0; k < kMany; ++k) {
+      room.lights.push_back(
+          lightAround(random, room.receiver, LightShape::kParallelogram, k, kMany));
+      if (room.lights.size() != shining + 1) std::ranges::reverse(room.lights.back().vertices);
+    }
+    cases.push_back({room,
+                     fmt::format("of {} lights number {} shines on the receiver, and the others "
+                                 "have turned their backs",
+                                 kMany, shining + 1),
+                     "only some of the lights are asked"});
+  }
+  LitRoom inside{
+      {{.centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kPlainEmission}},
+      {},
+      {{3, 2, 3}, {-1, 0, 0}, {-0.8f, 0.6f, 0}}};
+  inside.receiver.onLight = true;
+  cases.push_back({inside, "x lies on the inside of a sphere that lights itself",
+                   "the light that x is a part of is left out; what y.pdf, the cosines and "
+                   "visible() say of it is enough"});
+  return cases;
+}
+
 // Two light a receiver from the front, one of five has turned its back on it.
 Finding severalLights(CheckRun& run) {
   std::vector<DirectCase> cases;
@@ -120,20 +204,15 @@ Finding severalLights(CheckRun& run) {
     cases.push_back(caseOf(room, 256));
   }
   cases.push_back(receiverThatEmits(random));
-  return judgeCases(run, cases);
-}
-
-// What hides a parallelogram light from p0 + share (p1 - p0) on: a parallelogram at a part of the
-// way from the receiver.
-std::vector<Point> screenBefore(const RoomLight& light, const Point& x, double share, double way) {
-  constexpr double kMargin = 0.2;
-  const glm::dvec3 p0(light.vertices[0]), v1 = glm::dvec3(light.vertices[1]) - p0,
-                                          v2 = glm::dvec3(light.vertices[3]) - p0;
-  const auto on = [&](double a, double b) {
-    return Point(glm::mix(glm::dvec3(x), p0 + a * v1 + b * v2, way));
-  };
-  return {on(share, -kMargin), on(1.0 + kMargin, -kMargin), on(1.0 + kMargin, 1.0 + kMargin),
-          on(share, 1.0 + kMargin)};
+  Finding finding = judgeCases(run, cases);
+  for (const auto& shining : {besideADarkLight(), unusualLights(run.seed)}) {
+    if (!finding.passed()) break;
+    const Finding found = judgeSomeLight(run, shining);
+    const std::uint64_t calls = finding.calls + found.calls;
+    if (!found.passed()) finding = found;
+    finding.calls = calls;
+  }
+  return finding;
 }
 
 Finding screens(CheckRun& run) {
@@ -172,6 +251,11 @@ Finding darkness(CheckRun& run) {
   room.receiver.wo = {0.6f, -0.8f, 0};
   cases.push_back({room, "the light is below the receiver's horizon",
                    "the cosine at the receiver must be positive"});
+  room = lit;
+  room.receiver.n = {0, -1, 0};
+  cases.push_back({room, "wo and the light are both below the surface",
+                   "the normal is turned round to the side of wo: hit.n is the front, and the BRDF "
+                   "and the cosine tell that wo and wi are behind it"});
   room = lit;
   room.lights[0].frontOnly = true;
   room.receiver = {{0.3f, 4, 0.2f}, {0, -1, 0}, {0.6f, -0.8f, 0}};

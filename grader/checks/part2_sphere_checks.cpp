@@ -52,10 +52,16 @@ std::vector<vec2> randomPairs(std::uint64_t seed, int count) {
 // Of what goes wrong with this view, and did not with the plain ones before it.
 std::string causeOfSize(const SphereView& view) {
   return view.oracle.outside() && view.ratio() <= 1e-2
-             ? "1 - cos(thetaMax) and what follows from it cancel for a small or far sphere: the "
-               "handout has forms that do not"
+             ? "1 - cos(thetaMax) and what follows from it cancel for a small or far sphere, and "
+               "the handout has forms that do not; or the point is found as from + t * direction, "
+               "whose rounding is that of the distance and not of the sphere"
              : "";
 }
+
+// Along an axis or next to it, where nothing else is special.
+constexpr const char* kFrameBreaksDown =
+    "the frame around the direction to the centre breaks down along an axis: a cross product of "
+    "parallel vectors, or a division by a component that is 0, gives no direction there";
 
 Finding pointsAreOfTheSphere(CheckRun& run) {
   std::vector<vec2> points = randomPairs(run.seed, 48);
@@ -65,7 +71,16 @@ Finding pointsAreOfTheSphere(CheckRun& run) {
   twice.insert(twice.end(), points.rbegin(), points.rend());
   Exact exact;
   bool allInwards = true;
-  for (const SphereView& view : allViews(run.seed)) {
+  std::vector<SphereView> views = viewsFromOutside(run.seed);
+  const std::size_t firstAlongAxes = views.size();
+  for (const SphereView& v : viewsAlongAxes()) views.push_back(v);
+  const std::size_t endAlongAxes = views.size();
+  for (const SphereView& v : viewsFromInside(run.seed)) views.push_back(v);
+  std::string cause;
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const SphereView& view = views[k];
+    const bool alongAxis = k >= firstAlongAxes && k < endAlongAxes;
+    const bool rightSoFar = !exact.failed();
     const Results results = sample(run, view, twice);
     exact.count(results.count());
     const double allowed = 16.0 * kRoundoff * (view.magnitude() + double{view.radius});
@@ -82,7 +97,8 @@ Finding pointsAreOfTheSphere(CheckRun& run) {
       if (!exact.holds(results.finite(i) && pdf >= 0.0f, "finite numbers, a density of at least 0",
                        got, where)) {
         Finding finding = exact.finding();
-        finding.cause = view.oracle.outside()
+        finding.cause = alongAxis && rightSoFar ? kFrameBreaksDown
+                        : view.oracle.outside()
                             ? causeOfSize(view)
                             : "inside or on the sphere (d <= r) there is no cone: there the points "
                               "are uniform over the whole area";
@@ -110,8 +126,10 @@ Finding pointsAreOfTheSphere(CheckRun& run) {
       if (view.oracle.outside())
         allInwards = allInwards && glm::length(offset + r * glm::dvec3(n)) <= allowed;
     }
+    if (alongAxis && rightSoFar && exact.failed()) cause = kFrameBreaksDown;
   }
   Finding finding = exact.finding();
+  if (exact.failed()) finding.cause = cause;
   if (exact.failed() && allInwards) finding.cause = "n points inwards";
   return finding;
 }

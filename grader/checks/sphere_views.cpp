@@ -104,6 +104,25 @@ std::vector<SphereView> viewsFromOutside(std::uint64_t seed) {
   return views;
 }
 
+std::vector<SphereView> viewsAlongAxes() {
+  const Point centre(1, 2, 3);
+  std::vector<SphereView> views;
+  for (const float side : {2.0f, -2.0f})
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector off(0.0f);
+      off[axis] = side;
+      views.emplace_back(centre, 1.0f, centre + off);
+    }
+  for (const float side : {2.0f, -2.0f})
+    for (const float tilt : {2e-4f, 2e-7f})
+      for (int axis = 0; axis < 3; ++axis) {
+        Vector off(0.6f * tilt, 0.8f * tilt, side);
+        std::swap(off[axis], off[2]);
+        views.emplace_back(Point(0), 1.0f, off);
+      }
+  return views;
+}
+
 std::vector<SphereView> viewsFromInside(std::uint64_t seed) {
   std::vector<SphereView> views{{{0, 0, 0}, 2.0f, {0, 1, 0}},
                                 {{1, 2, 3}, 2.0f, {1, 2, 3}},

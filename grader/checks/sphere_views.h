@@ -1,9 +1,9 @@
 // Spheres as lights, and points that they are looked at from.
 //
-//   SphereView              a sphere and a viewer, with the oracle that knows the contract's
-//   density viewsFromOutside, viewsFromInside SphereReference         a density that samples are
-//   weighed with, uniform in two coordinates DensitySuspects         known wrong formulas of the
-//   density
+//   SphereView         a sphere and a viewer, with the oracle that knows the contract's density
+//   viewsFromOutside, viewsAlongAxes, viewsFromInside
+//   SphereReference    a density that samples are weighed with, uniform in two coordinates
+//   DensitySuspects    known wrong formulas of the density
 #pragma once
 
 #include "checks/points.h"
@@ -33,6 +33,9 @@ struct SphereView {
 
 // From plain ones to spheres like a point, and viewers next to the surface.
 std::vector<SphereView> viewsFromOutside(std::uint64_t seed);
+
+// From outside, on and next to the axes, where frames that are made by hand break down.
+std::vector<SphereView> viewsAlongAxes();
 
 // And from exactly on the surface.
 std::vector<SphereView> viewsFromInside(std::uint64_t seed);
