@@ -61,14 +61,16 @@ bool hasSeveralLights(const LitRoom& room) { return room.lights.size() > 1; }
 double over(const LightTerms& t) { return 1.0 / (t.distance * t.distance); }
 
 constexpr Suspect kSuspects[] = {
-    {"no light arrives at all: the visibility test the wrong way round, the sign of a cosine, or "
-     "the first light is left out",
+    {"no light arrives at all: the visibility test the wrong way round, wi or a cosine turned "
+     "round, or the first light is left out",
      [](const LightTerms&) { return 0.0; }},
     {"the density of the sample is not divided out",
      [](const LightTerms& t) { return rightKernel(t) * t.density; }},
     {"the density of the sample is multiplied with instead of divided by",
      [](const LightTerms& t) { return rightKernel(t) * t.density * t.density; }},
     {"r stands where r^2 belongs", [](const LightTerms& t) { return rightKernel(t) * t.distance; }},
+    {"r^3 stands where r^2 belongs: wi is made a unit vector already",
+     [](const LightTerms& t) { return rightKernel(t) / t.distance; }},
     {"r^2 is divided out twice", [](const LightTerms& t) { return rightKernel(t) * over(t); }},
     {"r^2 is not divided out", [](const LightTerms& t) { return rightKernel(t) / over(t); }},
     {"the cosine at the receiver is missing",
@@ -77,6 +79,10 @@ constexpr Suspect kSuspects[] = {
      [](const LightTerms& t) { return rightKernel(t) / t.cosY; }},
     {"both cosines are missing",
      [](const LightTerms& t) { return rightKernel(t) / (t.cosX * t.cosY); }},
+    {"the cosine at the receiver is multiplied with twice",
+     [](const LightTerms& t) { return rightKernel(t) * t.cosX; }},
+    {"the cosine at the light is multiplied with twice",
+     [](const LightTerms& t) { return rightKernel(t) * t.cosY; }},
     {"the cosine at the receiver stands in both places",
      [](const LightTerms& t) { return rightKernel(t) * t.cosX / t.cosY; }},
     {"the cosine at the light stands in both places",
@@ -88,6 +94,8 @@ constexpr Suspect kSuspects[] = {
     {"the BRDF is missing",
      [](const LightTerms& t) { return rightKernel(t) / t.brdf * std::numbers::pi; }, 0},
     {"Kd is multiplied with twice: it is in the BRDF", rightKernel, 2},
+    {"pi is divided out once too often: it is in the BRDF already",
+     [](const LightTerms& t) { return rightKernel(t) / std::numbers::pi; }},
     {"a factor pi too many", [](const LightTerms& t) { return rightKernel(t) * std::numbers::pi; }},
     {"whether something lies between is not asked",
      [](const LightTerms& t) { return t.brdf * t.cosX * t.cosY / (t.distance * t.distance); }},

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace pathmark::checks {
 
@@ -73,6 +75,8 @@ Finding pixelsAreRepeatable(CheckRun& run) {
   return exact.finding();
 }
 
+constexpr const char* kRoundedUp = "n is rounded up: it is the largest n with n * n <= N";
+
 // Of rays that are not started as they should be.
 std::string likelyCause(const RecordedPixel& pixel, int rays) {
   const auto all = [&](const auto& holds) {
@@ -85,6 +89,8 @@ std::string likelyCause(const RecordedPixel& pixel, int rays) {
   if (counts.traced != static_cast<std::uint32_t>(rays))
     return counts.traced == static_cast<std::uint32_t>(n * n)
                ? "the N - n * n remaining rays are missing"
+           : n * n < rays && counts.traced == static_cast<std::uint32_t>((n + 1) * (n + 1))
+               ? kRoundedUp
                : "";
   if (counts.started == 0) return "startRay is never called";
   if (all([](const RecordedRay& r, int m) { return r.startRay == m + 1; }))
@@ -200,10 +206,21 @@ std::string causeOfEmptyStrata(const PixelQuestion& question,
              : "every ray is made with the same k, l and n";
 }
 
+// Whether each ray has a stratum of its own where n is larger by 1 than it must be.
+bool fitsRoundedUp(const std::vector<glm::dvec2>& places, int n) {
+  std::set<std::pair<int, int>> strata;
+  for (const glm::dvec2& place : places) {
+    const glm::ivec2 stratum(glm::floor(place * double(n + 1)));
+    strata.emplace(stratum.x, stratum.y);
+  }
+  return strata.size() == places.size();
+}
+
 // The rays come from the coursework's StratifiedRandomRay, which has been found right.
 Finding strataAreHit(CheckRun& run) {
   Exact exact{"i and j are swapped: i is the column, j is the row"};
   std::string cause;
+  bool roundedUp = true;
   for (const PixelQuestion& question : strataQuestions(run.seed)) {
     const RecordedPixel pixel = question.ask(run.worker);
     exact.count(1);
@@ -241,9 +258,11 @@ Finding strataAreHit(CheckRun& run) {
         },
         [&] { return question.text(); }, {true});
     if (empty && cause.empty()) cause = causeOfEmptyStrata(question, places);
+    if (question.numbers != RecordedNumbers::kRandom) continue;
+    roundedUp = roundedUp && (n * n == question.rays ? !empty : fitsRoundedUp(places, n));
   }
   Finding finding = exact.finding();
-  if (!finding.passed() && finding.cause.empty()) finding.cause = cause;
+  if (!finding.passed() && finding.cause.empty()) finding.cause = roundedUp ? kRoundedUp : cause;
   return finding;
 }
 

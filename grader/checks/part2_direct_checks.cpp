@@ -81,22 +81,6 @@ Finding sphereLights(CheckRun& run) {
   return judgeCases(run, cases);
 }
 
-// A sphere that shines inwards sends pi Le to every surface in it.
-Finding inwardSpheres(CheckRun& run) {
-  std::vector<DirectCase> cases;
-  Random random(run.seed);
-  for (const double share : {0.0, 0.3, 0.5}) {
-    RoomLight light{
-        .centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kPlainEmission};
-    Receiver receiver;
-    receiver.p = light.centre + static_cast<float>(2.0 * share) * random.direction();
-    receiver.n = share == 0.0 ? Vector(0, 1, 0) : random.direction();
-    receiver.wo = atCosine(receiver.n, 0.8, 1.0);
-    cases.push_back(diffuseCase({{light}, {}, receiver}, kPiD, 512));
-  }
-  return judgeCases(run, cases);
-}
-
 // The receiver is a light too, about as bright as what it reflects of the other one. What it sends
 // towards wo by itself is not scattered: tracePath adds it.
 DirectCase receiverThatEmits(Random& random) {
@@ -119,13 +103,14 @@ std::vector<Point> screenBefore(const RoomLight& light, const Point& x, double s
           on(share, 1.0 + kMargin)};
 }
 
+constexpr const char* kLoopEnds = "a light that sends nothing ends the loop over the lights";
+
 // Of two lights the first sends nothing, and the second is in full view.
 std::vector<LitCase> besideADarkLight() {
-  constexpr const char* kCause = "a light that sends nothing ends the loop over the lights";
   const RoomLight shines = plainLight(LightShape::kParallelogram);
   std::vector<LitCase> cases;
   const auto add = [&](const RoomLight& dark, const char* why) -> LitRoom& {
-    cases.push_back({{{dark, shines}, {}, kBelowPlainLight}, why, kCause});
+    cases.push_back({{{dark, shines}, {}, kBelowPlainLight}, why, kLoopEnds});
     return cases.back().room;
   };
   RoomLight aside = shines;
@@ -139,13 +124,10 @@ std::vector<LitCase> besideADarkLight() {
   RoomLight turned = aside;
   std::ranges::reverse(turned.vertices);
   add(turned, "the first light has turned its back, the second has not");
-  add({.centre = {0, 0, 0}, .radius = 50.0f, .emission = kPlainEmission},
-      "the first light is a sphere around everything that shines outwards, the second is in it");
   return cases;
 }
 
-// Lights of a single channel, very small and very large ones, the last of many, and the one that
-// the receiver is a part of.
+// Lights of a single channel, very small and very large ones, and each of many.
 std::vector<LitCase> unusualLights(std::uint64_t seed) {
   const LitRoom plain{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
   std::vector<LitCase> cases;
@@ -178,6 +160,17 @@ std::vector<LitCase> unusualLights(std::uint64_t seed) {
                                  kMany, shining + 1),
                      "only some of the lights are asked"});
   }
+  return cases;
+}
+
+// The first of two lights is a sphere around everything, and the only light is a sphere that x lies
+// on.
+std::vector<LitCase> inSpheres() {
+  const RoomLight around{.radius = 50.0f, .emission = kPlainEmission};
+  std::vector<LitCase> cases{
+      {{{around, plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight},
+       "the first light is a sphere around everything that shines outwards, the second is in it",
+       kLoopEnds}};
   LitRoom inside{
       {{.centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kPlainEmission}},
       {},
@@ -187,6 +180,34 @@ std::vector<LitCase> unusualLights(std::uint64_t seed) {
                    "the light that x is a part of is left out; what y.pdf, the cosines and "
                    "visible() say of it is enough"});
   return cases;
+}
+
+// What is always 0 has causes of its own, so the means come first.
+Finding judgeBoth(CheckRun& run, const std::vector<DirectCase>& cases,
+                  const std::vector<LitCase>& shining) {
+  Finding finding = judgeCases(run, cases);
+  if (!finding.passed()) return finding;
+  const Finding found = judgeSomeLight(run, shining);
+  const std::uint64_t calls = finding.calls + found.calls;
+  if (!found.passed()) finding = found;
+  finding.calls = calls;
+  return finding;
+}
+
+// A sphere that shines inwards sends pi Le to every surface in it.
+Finding inwardSpheres(CheckRun& run) {
+  std::vector<DirectCase> cases;
+  Random random(run.seed);
+  for (const double share : {0.0, 0.3, 0.5}) {
+    RoomLight light{
+        .centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kPlainEmission};
+    Receiver receiver;
+    receiver.p = light.centre + static_cast<float>(2.0 * share) * random.direction();
+    receiver.n = share == 0.0 ? Vector(0, 1, 0) : random.direction();
+    receiver.wo = atCosine(receiver.n, 0.8, 1.0);
+    cases.push_back(diffuseCase({{light}, {}, receiver}, kPiD, 512));
+  }
+  return judgeBoth(run, cases, inSpheres());
 }
 
 // Two light a receiver from the front, one of five has turned its back on it.
@@ -204,15 +225,9 @@ Finding severalLights(CheckRun& run) {
     cases.push_back(caseOf(room, 256));
   }
   cases.push_back(receiverThatEmits(random));
-  Finding finding = judgeCases(run, cases);
-  for (const auto& shining : {besideADarkLight(), unusualLights(run.seed)}) {
-    if (!finding.passed()) break;
-    const Finding found = judgeSomeLight(run, shining);
-    const std::uint64_t calls = finding.calls + found.calls;
-    if (!found.passed()) finding = found;
-    finding.calls = calls;
-  }
-  return finding;
+  std::vector<LitCase> shining = besideADarkLight();
+  for (const LitCase& c : unusualLights(run.seed)) shining.push_back(c);
+  return judgeBoth(run, cases, shining);
 }
 
 Finding screens(CheckRun& run) {
@@ -362,7 +377,8 @@ std::vector<Check> directLightingChecks() {
        polygonLights<LightShape::kPolygon>, polygon},
       {"sphere", kDirect, "the light of a sphere that arrives, reflected by the BRDF", 0.005,
        sphereLights, sphere},
-      {"inside", kDirect, "in a sphere that shines inwards, Kd Le leaves every surface", 0.005,
+      {"inside", kDirect,
+       "in a sphere that shines inwards, Kd Le leaves every surface, also its own", 0.005,
        inwardSpheres, sphere},
   };
 }

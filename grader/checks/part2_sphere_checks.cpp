@@ -50,7 +50,13 @@ std::vector<vec2> randomPairs(std::uint64_t seed, int count) {
 }
 
 // Of what goes wrong with this view, and did not with the plain ones before it.
-std::string causeOfSize(const SphereView& view) {
+std::string causeOf(const SphereView& view) {
+  if (view.oracle.d == view.oracle.r)
+    return "exactly on the sphere (d = r) there is no cone either: there too the points are "
+           "uniform over the whole area, with the density 1/(4 pi r^2)";
+  if (!view.oracle.outside())
+    return "inside the sphere (d < r) there is no cone: there the points are uniform over the "
+           "whole area, with the density 1/(4 pi r^2)";
   return view.oracle.outside() && view.ratio() <= 1e-2
              ? "1 - cos(thetaMax) and what follows from it cancel for a small or far sphere, and "
                "the handout has forms that do not; or the point is found as from + t * direction, "
@@ -97,11 +103,7 @@ Finding pointsAreOfTheSphere(CheckRun& run) {
       if (!exact.holds(results.finite(i) && pdf >= 0.0f, "finite numbers, a density of at least 0",
                        got, where)) {
         Finding finding = exact.finding();
-        finding.cause = alongAxis && rightSoFar ? kFrameBreaksDown
-                        : view.oracle.outside()
-                            ? causeOfSize(view)
-                            : "inside or on the sphere (d <= r) there is no cone: there the points "
-                              "are uniform over the whole area";
+        finding.cause = alongAxis && rightSoFar ? kFrameBreaksDown : causeOf(view);
         return finding;
       }
       const std::size_t again = results.count() - 1 - i;
@@ -213,6 +215,7 @@ std::vector<Suspicion> suspicionsAbout(const SphereView& view) {
 struct Probe {
   bool asTheContract = true;  // the returned densities
   bool unseen = false;        // there are samples on the far side
+  bool allUnseen = true;      // and none on the near one, nor all in one point
   double variance = 0.0;      // of the weights of the cone's density
 };
 
@@ -220,8 +223,11 @@ Probe probe(CheckRun& run, const SphereView& view, DensitySuspects& suspects) {
   const Results results = sample(run, view, randomPairs(run.seed, 256));
   Probe probe;
   double sum = 0.0, sum2 = 0.0;
+  bool onePoint = true;
   for (std::size_t i = 0; i < results.count(); ++i) {
     const Vector n = results.vector(i, 3);
+    onePoint = onePoint && n == results.vector(0, 3);
+    probe.allUnseen = probe.allUnseen && view.oracle.cosAtPoint(n) < -1e-3L;
     const double pdf = results.number(i, 6), q = static_cast<double>(view.oracle.pdf(n));
     suspects.see(view, n, pdf);
     const double weight = pdf > 0.0 ? q / pdf : 0.0;
@@ -233,6 +239,7 @@ Probe probe(CheckRun& run, const SphereView& view, DensitySuspects& suspects) {
   }
   const double count = static_cast<double>(results.count()), mean = sum / count;
   probe.variance = sum2 / count - mean * mean;
+  probe.allUnseen = probe.allUnseen && view.oracle.outside() && !onePoint;
   return probe;
 }
 
@@ -293,8 +300,12 @@ Finding samplesFollowTheirDensity(CheckRun& run) {
     const Probe probed = probe(run, view, suspects);
     Finding finding = judgeView(run, view, ++seed, probed);
     calls += finding.calls;
+    if (finding.status == Status::kFail && probed.allUnseen)
+      finding.cause =
+          "all points are on the far side: the cone is turned away from `from`, or the farther of "
+          "the two points where the direction meets the sphere is taken";
     if (finding.status == Status::kFail && finding.cause.empty()) finding.cause = suspects.cause();
-    if (finding.status == Status::kFail && finding.cause.empty()) finding.cause = causeOfSize(view);
+    if (finding.status == Status::kFail && finding.cause.empty()) finding.cause = causeOf(view);
     if (worst.passed()) worst = finding;
     if (!finding.passed()) break;
     if (remark.empty() && view.oracle.outside() && !probed.asTheContract)
@@ -340,7 +351,9 @@ std::vector<std::pair<Vector, double>> quadratureOf(const SphereView& view) {
 
 Finding pdfIsADensity(CheckRun& run) {
   Exact exact;
-  bool onlyUnseen = true;  // what is too much comes from points that cannot be seen
+  bool onlyUnseen = true;     // what is too much comes from points that cannot be seen
+  bool wrongOutside = false;  // where there is a cone
+  std::string causeOfFirst;   // of the views without one
   DensitySuspects suspects;
   for (const SphereView& view : allViews(run.seed)) {
     const auto nodes = quadratureOf(view);
@@ -367,10 +380,12 @@ Finding pdfIsADensity(CheckRun& run) {
                                                        : SphereOracle::LongVector(0, 1, 0)))));
     const bool right = exact.value("integral of pdf over the sphere's area", integral, 1.0, allowed,
                                    [&] { return view.text(); });
+    if (!right && causeOfFirst.empty() && !view.oracle.outside()) causeOfFirst = causeOf(view);
+    if (!right && view.oracle.outside()) wrongOutside = true;
     onlyUnseen = onlyUnseen && (right || std::abs(integral - unseen - 1.0) <= allowed);
   }
   Finding finding = exact.finding();
-  if (exact.failed()) finding.cause = suspects.cause();
+  if (exact.failed()) finding.cause = wrongOutside ? suspects.cause() : causeOfFirst;
   if (exact.failed() && onlyUnseen)
     finding.cause = "points on the far side, which `from` cannot see, have a density too";
   return finding;

@@ -58,8 +58,8 @@ class DensitySuspects {
   std::string cause() const;  // the formula that explains all that was seen; empty if none does
 
  private:
-  static constexpr std::size_t kCount = 6;
-  std::array<bool, kCount> possible_{true, true, true, true, true, true}, differs_{};
+  static constexpr std::size_t kCount = 8;
+  std::array<bool, kCount> excluded_{}, differs_{};
 };
 
 }  // namespace pathmark::checks
