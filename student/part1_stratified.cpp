@@ -28,12 +28,14 @@ Ray SimpleCamera::StratifiedRandomRay(int /*i*/, int /*j*/, int /*k*/, int /*l*/
 //
 // With N = nRaysPerPixel and n = floor(sqrt(N)): one ray in each of the n x n strata, then the
 // remaining N - n^2 rays anywhere in the pixel, by StratifiedRandomRay(i, j, 0, 0, 1, s, t).
-// Ask tracePath(ray, sampler) for the radiance along each.
+// Ask tracePath(ray, sampler) for the radiance along each. Every s and t is random, also where N is
+// 1: the mean is that of the whole pixel, and not of its centre.
 //
 //   i, j            column and row of the pixel
 //   nRaysPerPixel   how many rays, exactly
-//   sampler         call sampler.startRay(m) before the m-th ray, m = 0 ... N-1, and take s and t
-//                   from sampler.next2D()
+//   sampler         call sampler.startRay(m) before the m-th ray, m = 0 ... N-1, and then take s
+//                   and t from it: best from sampler.next2D(), since its two numbers are spread
+//                   evenly together, which those of two calls of next1D() are not
 //
 // Returns the mean radiance of all N rays.
 Colour LitScene::renderPixel(int /*i*/, int /*j*/, const SimpleCamera& /*camera*/,

@@ -50,7 +50,8 @@ LightSample Polygon::PolygonSampling(float /*s*/, float /*t*/) const {
 // Seen from x the sphere fills a cone of half-angle thetaMax, sin(thetaMax) = r / |x - c|. Take a
 // direction that is uniform in that cone, and the nearer of the points where it meets the sphere.
 // Mind spheres that are small or far: 1 - cos(thetaMax) cancels, and the handout shows the form
-// that does not. (Shirley, Wang & Zimmerman 1996, section 3.2)
+// that does not; and a point found as x + t * direction is rounded as the distance is, not as the
+// sphere. (Shirley, Wang & Zimmerman 1996, section 3.2)
 //
 //   from   the point x that is lit
 //   s, t   uniform in [0,1)

@@ -22,11 +22,13 @@ constexpr double kDelta = 0.005, kTolerance = 1e-4;
 
 // A receiver that emits must be met in the scene: a call alone tells nothing of its emission. So a
 // ray meets it along -wo, and the path tracer's stand-in asks for direct light there.
+bool isMetByARay(const Receiver& x) { return x.emits() || x.onLight; }
+
 Words wordsOf(const LitRoom& room, const FlatScene& flat) {
   constexpr float kDistance = 0.5f;
   constexpr int kBounces = 1;
   const Receiver& x = room.receiver;
-  if (x.emits()) return Words().add(Ray{x.p + kDistance * x.wo, -x.wo}, kBounces);
+  if (isMetByARay(x)) return Words().add(Ray{x.p + kDistance * x.wo, -x.wo}, kBounces);
   return Words().add(x.p, x.n, room.rounding(), flat.materials.size() - 1, x.wo);
 }
 
@@ -35,8 +37,9 @@ std::vector<Estimate> estimate(CheckRun& run, const LitRoom& room, std::uint64_t
   const FlatScene flat = room.flat();
   run.worker.loadScene(flat);
   EstimateRequest request;
-  request.function = static_cast<std::uint32_t>(
-      room.receiver.emits() ? CourseworkFunction::kTracePath : CourseworkFunction::kDirectLighting);
+  request.function =
+      static_cast<std::uint32_t>(isMetByARay(room.receiver) ? CourseworkFunction::kTracePath
+                                                            : CourseworkFunction::kDirectLighting);
   request.seed = seed;
   request.replicates = replicates;
   request.calls = 1;
@@ -58,14 +61,16 @@ bool hasSeveralLights(const LitRoom& room) { return room.lights.size() > 1; }
 double over(const LightTerms& t) { return 1.0 / (t.distance * t.distance); }
 
 constexpr Suspect kSuspects[] = {
-    {"no light arrives at all: the visibility test the wrong way round, the sign of a cosine, or "
-     "the first light is left out",
+    {"no light arrives at all: the visibility test the wrong way round, wi or a cosine turned "
+     "round, or the first light is left out",
      [](const LightTerms&) { return 0.0; }},
     {"the density of the sample is not divided out",
      [](const LightTerms& t) { return rightKernel(t) * t.density; }},
     {"the density of the sample is multiplied with instead of divided by",
      [](const LightTerms& t) { return rightKernel(t) * t.density * t.density; }},
     {"r stands where r^2 belongs", [](const LightTerms& t) { return rightKernel(t) * t.distance; }},
+    {"r^3 stands where r^2 belongs: wi is made a unit vector already",
+     [](const LightTerms& t) { return rightKernel(t) / t.distance; }},
     {"r^2 is divided out twice", [](const LightTerms& t) { return rightKernel(t) * over(t); }},
     {"r^2 is not divided out", [](const LightTerms& t) { return rightKernel(t) / over(t); }},
     {"the cosine at the receiver is missing",
@@ -74,6 +79,10 @@ constexpr Suspect kSuspects[] = {
      [](const LightTerms& t) { return rightKernel(t) / t.cosY; }},
     {"both cosines are missing",
      [](const LightTerms& t) { return rightKernel(t) / (t.cosX * t.cosY); }},
+    {"the cosine at the receiver is multiplied with twice",
+     [](const LightTerms& t) { return rightKernel(t) * t.cosX; }},
+    {"the cosine at the light is multiplied with twice",
+     [](const LightTerms& t) { return rightKernel(t) * t.cosY; }},
     {"the cosine at the receiver stands in both places",
      [](const LightTerms& t) { return rightKernel(t) * t.cosX / t.cosY; }},
     {"the cosine at the light stands in both places",
@@ -85,6 +94,8 @@ constexpr Suspect kSuspects[] = {
     {"the BRDF is missing",
      [](const LightTerms& t) { return rightKernel(t) / t.brdf * std::numbers::pi; }, 0},
     {"Kd is multiplied with twice: it is in the BRDF", rightKernel, 2},
+    {"pi is divided out once too often: it is in the BRDF already",
+     [](const LightTerms& t) { return rightKernel(t) / std::numbers::pi; }},
     {"a factor pi too many", [](const LightTerms& t) { return rightKernel(t) * std::numbers::pi; }},
     {"whether something lies between is not asked",
      [](const LightTerms& t) { return t.brdf * t.cosX * t.cosY / (t.distance * t.distance); }},
@@ -253,6 +264,28 @@ Finding judgeDarkness(CheckRun& run, const std::vector<DarkCase>& cases) {
           return invalid > 0 ? invalidText(invalid, std::uint64_t{kReplicates} * kRays)
                              : fmt::format("mean radiance = {}", text(vec3(mean)));
         },
+        [&] { return c.room.text(); });
+    if (!exact.failed()) continue;
+    Finding finding = exact.finding();
+    finding.cause = c.cause;
+    return finding;
+  }
+  return exact.finding();
+}
+
+// A single light may be chosen of twelve, so that most samples may be 0: that all of them are, by
+// right code, has a probability below 1e-38.
+Finding judgeSomeLight(CheckRun& run, const std::vector<LitCase>& cases) {
+  constexpr std::uint32_t kReplicates = 4, kRays = 256;
+  Exact exact;
+  for (const LitCase& c : cases) {
+    glm::dvec3 mean(0.0);
+    for (const Estimate& e : estimate(run, c.room, run.seed, kReplicates, kRays))
+      mean += glm::dvec3(e.mean[0], e.mean[1], e.mean[2]) / double{kReplicates};
+    exact.count(std::uint64_t{kReplicates} * kRays);
+    exact.holds(
+        mean != glm::dvec3(0.0), fmt::format("some light: {}", c.why),
+        [&] { return fmt::format("0 in each of {} samples", kReplicates * kRays); },
         [&] { return c.room.text(); });
     if (!exact.failed()) continue;
     Finding finding = exact.finding();

@@ -33,4 +33,12 @@ struct DarkCase {
 
 Finding judgeDarkness(CheckRun& run, const std::vector<DarkCase>& cases);
 
+// Light in some samples, however the lights are chosen.
+struct LitCase {
+  LitRoom room;
+  std::string why, cause;
+};
+
+Finding judgeSomeLight(CheckRun& run, const std::vector<LitCase>& cases);
+
 }  // namespace pathmark::checks

@@ -139,7 +139,10 @@ std::string Receiver::text() const {
 FlatScene LitRoom::flat() const {
   SceneBuilder builder;
   for (const RoomLight& light : lights) {
-    const Surface surface{.emission = light.emission, .frontOnly = light.frontOnly};
+    const bool scatters = receiver.onLight && &light == &lights.front();
+    const Surface surface{.kd = scatters ? kReceiverKd : Colour(0.0f),
+                          .emission = light.emission,
+                          .frontOnly = light.frontOnly};
     if (light.vertices.empty())
       builder.sphere(surface, light.centre, light.radius, light.inward);
     else

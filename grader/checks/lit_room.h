@@ -41,6 +41,9 @@ struct Receiver {
   // sends nothing to itself.
   Colour emission{0.0f};
 
+  // x lies on the room's first light, which then scatters too.
+  bool onLight = false;
+
   bool emits() const { return emission != Colour(0.0f); }
   std::vector<Point> square() const;
   std::string text() const;

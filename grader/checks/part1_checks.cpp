@@ -16,8 +16,9 @@ std::vector<SimpleCamera> filmCameras() {
 }
 
 std::string text(const SimpleCamera& camera) {
-  return fmt::format("camera with topLeft = {}, pixelRight = {}, pixelDown = {}",
-                     text(camera.topLeft()), text(camera.pixelRight()), text(camera.pixelDown()));
+  return fmt::format("camera with eye = {}, topLeft = {}, pixelRight = {}, pixelDown = {}",
+                     text(camera.eye()), text(camera.topLeft()), text(camera.pixelRight()),
+                     text(camera.pixelDown()));
 }
 
 std::span<const Check> part1Checks() {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -80,6 +81,119 @@ Finding sphereLights(CheckRun& run) {
   return judgeCases(run, cases);
 }
 
+// The receiver is a light too, about as bright as what it reflects of the other one. What it sends
+// towards wo by itself is not scattered: tracePath adds it.
+DirectCase receiverThatEmits(Random& random) {
+  LitRoom room{{}, {}, kBelowPlainLight};
+  room.lights.push_back(lightAround(random, room.receiver, LightShape::kParallelogram, 0, 1));
+  room.receiver.emission = Colour(0.25f, 0.5f, 0.75f);
+  return caseOf(room, 256);
+}
+
+// What hides a parallelogram light from p0 + share (p1 - p0) on: a parallelogram at a part of the
+// way from the receiver.
+std::vector<Point> screenBefore(const RoomLight& light, const Point& x, double share, double way) {
+  constexpr double kMargin = 0.2;
+  const glm::dvec3 p0(light.vertices[0]), v1 = glm::dvec3(light.vertices[1]) - p0,
+                                          v2 = glm::dvec3(light.vertices[3]) - p0;
+  const auto on = [&](double a, double b) {
+    return Point(glm::mix(glm::dvec3(x), p0 + a * v1 + b * v2, way));
+  };
+  return {on(share, -kMargin), on(1.0 + kMargin, -kMargin), on(1.0 + kMargin, 1.0 + kMargin),
+          on(share, 1.0 + kMargin)};
+}
+
+constexpr const char* kLoopEnds = "a light that sends nothing ends the loop over the lights";
+
+// Of two lights the first sends nothing, and the second is in full view.
+std::vector<LitCase> besideADarkLight() {
+  const RoomLight shines = plainLight(LightShape::kParallelogram);
+  std::vector<LitCase> cases;
+  const auto add = [&](const RoomLight& dark, const char* why) -> LitRoom& {
+    cases.push_back({{{dark, shines}, {}, kBelowPlainLight}, why, kLoopEnds});
+    return cases.back().room;
+  };
+  RoomLight aside = shines;
+  for (Point& v : aside.vertices) v.x += 20.0f;
+  LitRoom& hidden = add(aside, "a screen hides the first light, and not the second");
+  hidden.screens.push_back(screenBefore(aside, hidden.receiver.p, -0.2, 0.5));
+  RoomLight below = shines;
+  for (Point& v : below.vertices) v.y = -v.y;
+  std::ranges::reverse(below.vertices);
+  add(below, "the first light is below the horizon, the second above it");
+  RoomLight turned = aside;
+  std::ranges::reverse(turned.vertices);
+  add(turned, "the first light has turned its back, the second has not");
+  return cases;
+}
+
+// Lights of a single channel, very small and very large ones, and each of many.
+std::vector<LitCase> unusualLights(std::uint64_t seed) {
+  const LitRoom plain{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
+  std::vector<LitCase> cases;
+  for (int channel = 0; channel < 3; ++channel) {
+    LitRoom room = plain;
+    room.lights[0].emission = Colour(0.0f);
+    room.lights[0].emission[channel] = 2.0f;
+    cases.push_back({room, "the light shines in one channel only",
+                     "a light is taken for black where only some of its channels are 0"});
+  }
+  Random random(seed);
+  for (const double size : {1e-5, 1e6}) {
+    const RoomLight light = makeLight(random, LightShape::kParallelogram, size);
+    cases.push_back({{{light}, {}, place(random, light, Placement::kWhollyLit)},
+                     "the light is as large in view as any other, and only the unit of length is "
+                     "another",
+                     "a distance, a density or a cosine that is small is taken for 0"});
+  }
+  constexpr int kMany = 12;
+  for (const std::size_t shining : {0u, 5u, 11u}) {
+    LitRoom room{{}, {}, kBelowPlainLight};
+    for (int k = 0; k < kMany; ++k) {
+      room.lights.push_back(
+          lightAround(random, room.receiver, LightShape::kParallelogram, k, kMany));
+      if (room.lights.size() != shining + 1) std::ranges::reverse(room.lights.back().vertices);
+    }
+    cases.push_back({room,
+                     fmt::format("of {} lights number {} shines on the receiver, and the others "
+                                 "have turned their backs",
+                                 kMany, shining + 1),
+                     "only some of the lights are asked"});
+  }
+  return cases;
+}
+
+// The first of two lights is a sphere around everything, and the only light is a sphere that x lies
+// on.
+std::vector<LitCase> inSpheres() {
+  const RoomLight around{.radius = 50.0f, .emission = kPlainEmission};
+  std::vector<LitCase> cases{
+      {{{around, plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight},
+       "the first light is a sphere around everything that shines outwards, the second is in it",
+       kLoopEnds}};
+  LitRoom inside{
+      {{.centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kPlainEmission}},
+      {},
+      {{3, 2, 3}, {-1, 0, 0}, {-0.8f, 0.6f, 0}}};
+  inside.receiver.onLight = true;
+  cases.push_back({inside, "x lies on the inside of a sphere that lights itself",
+                   "the light that x is a part of is left out; what y.pdf, the cosines and "
+                   "visible() say of it is enough"});
+  return cases;
+}
+
+// What is always 0 has causes of its own, so the means come first.
+Finding judgeBoth(CheckRun& run, const std::vector<DirectCase>& cases,
+                  const std::vector<LitCase>& shining) {
+  Finding finding = judgeCases(run, cases);
+  if (!finding.passed()) return finding;
+  const Finding found = judgeSomeLight(run, shining);
+  const std::uint64_t calls = finding.calls + found.calls;
+  if (!found.passed()) finding = found;
+  finding.calls = calls;
+  return finding;
+}
+
 // A sphere that shines inwards sends pi Le to every surface in it.
 Finding inwardSpheres(CheckRun& run) {
   std::vector<DirectCase> cases;
@@ -93,16 +207,7 @@ Finding inwardSpheres(CheckRun& run) {
     receiver.wo = atCosine(receiver.n, 0.8, 1.0);
     cases.push_back(diffuseCase({{light}, {}, receiver}, kPiD, 512));
   }
-  return judgeCases(run, cases);
-}
-
-// The receiver is a light too, about as bright as what it reflects of the other one. What it sends
-// towards wo by itself is not scattered: tracePath adds it.
-DirectCase receiverThatEmits(Random& random) {
-  LitRoom room{{}, {}, kBelowPlainLight};
-  room.lights.push_back(lightAround(random, room.receiver, LightShape::kParallelogram, 0, 1));
-  room.receiver.emission = Colour(0.25f, 0.5f, 0.75f);
-  return caseOf(room, 256);
+  return judgeBoth(run, cases, inSpheres());
 }
 
 // Two light a receiver from the front, one of five has turned its back on it.
@@ -120,20 +225,9 @@ Finding severalLights(CheckRun& run) {
     cases.push_back(caseOf(room, 256));
   }
   cases.push_back(receiverThatEmits(random));
-  return judgeCases(run, cases);
-}
-
-// What hides a parallelogram light from p0 + share (p1 - p0) on: a parallelogram at a part of the
-// way from the receiver.
-std::vector<Point> screenBefore(const RoomLight& light, const Point& x, double share, double way) {
-  constexpr double kMargin = 0.2;
-  const glm::dvec3 p0(light.vertices[0]), v1 = glm::dvec3(light.vertices[1]) - p0,
-                                          v2 = glm::dvec3(light.vertices[3]) - p0;
-  const auto on = [&](double a, double b) {
-    return Point(glm::mix(glm::dvec3(x), p0 + a * v1 + b * v2, way));
-  };
-  return {on(share, -kMargin), on(1.0 + kMargin, -kMargin), on(1.0 + kMargin, 1.0 + kMargin),
-          on(share, 1.0 + kMargin)};
+  std::vector<LitCase> shining = besideADarkLight();
+  for (const LitCase& c : unusualLights(run.seed)) shining.push_back(c);
+  return judgeBoth(run, cases, shining);
 }
 
 Finding screens(CheckRun& run) {
@@ -172,6 +266,11 @@ Finding darkness(CheckRun& run) {
   room.receiver.wo = {0.6f, -0.8f, 0};
   cases.push_back({room, "the light is below the receiver's horizon",
                    "the cosine at the receiver must be positive"});
+  room = lit;
+  room.receiver.n = {0, -1, 0};
+  cases.push_back({room, "wo and the light are both below the surface",
+                   "the normal is turned round to the side of wo: hit.n is the front, and the BRDF "
+                   "and the cosine tell that wo and wi are behind it"});
   room = lit;
   room.lights[0].frontOnly = true;
   room.receiver = {{0.3f, 4, 0.2f}, {0, -1, 0}, {0.6f, -0.8f, 0}};
@@ -278,7 +377,8 @@ std::vector<Check> directLightingChecks() {
        polygonLights<LightShape::kPolygon>, polygon},
       {"sphere", kDirect, "the light of a sphere that arrives, reflected by the BRDF", 0.005,
        sphereLights, sphere},
-      {"inside", kDirect, "in a sphere that shines inwards, Kd Le leaves every surface", 0.005,
+      {"inside", kDirect,
+       "in a sphere that shines inwards, Kd Le leaves every surface, also its own", 0.005,
        inwardSpheres, sphere},
   };
 }

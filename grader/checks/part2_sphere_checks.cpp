@@ -50,12 +50,24 @@ std::vector<vec2> randomPairs(std::uint64_t seed, int count) {
 }
 
 // Of what goes wrong with this view, and did not with the plain ones before it.
-std::string causeOfSize(const SphereView& view) {
+std::string causeOf(const SphereView& view) {
+  if (view.oracle.d == view.oracle.r)
+    return "exactly on the sphere (d = r) there is no cone either: there too the points are "
+           "uniform over the whole area, with the density 1/(4 pi r^2)";
+  if (!view.oracle.outside())
+    return "inside the sphere (d < r) there is no cone: there the points are uniform over the "
+           "whole area, with the density 1/(4 pi r^2)";
   return view.oracle.outside() && view.ratio() <= 1e-2
-             ? "1 - cos(thetaMax) and what follows from it cancel for a small or far sphere: the "
-               "handout has forms that do not"
+             ? "1 - cos(thetaMax) and what follows from it cancel for a small or far sphere, and "
+               "the handout has forms that do not; or the point is found as from + t * direction, "
+               "whose rounding is that of the distance and not of the sphere"
              : "";
 }
+
+// Along an axis or next to it, where nothing else is special.
+constexpr const char* kFrameBreaksDown =
+    "the frame around the direction to the centre breaks down along an axis: a cross product of "
+    "parallel vectors, or a division by a component that is 0, gives no direction there";
 
 Finding pointsAreOfTheSphere(CheckRun& run) {
   std::vector<vec2> points = randomPairs(run.seed, 48);
@@ -65,7 +77,16 @@ Finding pointsAreOfTheSphere(CheckRun& run) {
   twice.insert(twice.end(), points.rbegin(), points.rend());
   Exact exact;
   bool allInwards = true;
-  for (const SphereView& view : allViews(run.seed)) {
+  std::vector<SphereView> views = viewsFromOutside(run.seed);
+  const std::size_t firstAlongAxes = views.size();
+  for (const SphereView& v : viewsAlongAxes()) views.push_back(v);
+  const std::size_t endAlongAxes = views.size();
+  for (const SphereView& v : viewsFromInside(run.seed)) views.push_back(v);
+  std::string cause;
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const SphereView& view = views[k];
+    const bool alongAxis = k >= firstAlongAxes && k < endAlongAxes;
+    const bool rightSoFar = !exact.failed();
     const Results results = sample(run, view, twice);
     exact.count(results.count());
     const double allowed = 16.0 * kRoundoff * (view.magnitude() + double{view.radius});
@@ -82,10 +103,7 @@ Finding pointsAreOfTheSphere(CheckRun& run) {
       if (!exact.holds(results.finite(i) && pdf >= 0.0f, "finite numbers, a density of at least 0",
                        got, where)) {
         Finding finding = exact.finding();
-        finding.cause = view.oracle.outside()
-                            ? causeOfSize(view)
-                            : "inside or on the sphere (d <= r) there is no cone: there the points "
-                              "are uniform over the whole area";
+        finding.cause = alongAxis && rightSoFar ? kFrameBreaksDown : causeOf(view);
         return finding;
       }
       const std::size_t again = results.count() - 1 - i;
@@ -110,8 +128,10 @@ Finding pointsAreOfTheSphere(CheckRun& run) {
       if (view.oracle.outside())
         allInwards = allInwards && glm::length(offset + r * glm::dvec3(n)) <= allowed;
     }
+    if (alongAxis && rightSoFar && exact.failed()) cause = kFrameBreaksDown;
   }
   Finding finding = exact.finding();
+  if (exact.failed()) finding.cause = cause;
   if (exact.failed() && allInwards) finding.cause = "n points inwards";
   return finding;
 }
@@ -195,6 +215,7 @@ std::vector<Suspicion> suspicionsAbout(const SphereView& view) {
 struct Probe {
   bool asTheContract = true;  // the returned densities
   bool unseen = false;        // there are samples on the far side
+  bool allUnseen = true;      // and none on the near one, nor all in one point
   double variance = 0.0;      // of the weights of the cone's density
 };
 
@@ -202,8 +223,11 @@ Probe probe(CheckRun& run, const SphereView& view, DensitySuspects& suspects) {
   const Results results = sample(run, view, randomPairs(run.seed, 256));
   Probe probe;
   double sum = 0.0, sum2 = 0.0;
+  bool onePoint = true;
   for (std::size_t i = 0; i < results.count(); ++i) {
     const Vector n = results.vector(i, 3);
+    onePoint = onePoint && n == results.vector(0, 3);
+    probe.allUnseen = probe.allUnseen && view.oracle.cosAtPoint(n) < -1e-3L;
     const double pdf = results.number(i, 6), q = static_cast<double>(view.oracle.pdf(n));
     suspects.see(view, n, pdf);
     const double weight = pdf > 0.0 ? q / pdf : 0.0;
@@ -215,6 +239,7 @@ Probe probe(CheckRun& run, const SphereView& view, DensitySuspects& suspects) {
   }
   const double count = static_cast<double>(results.count()), mean = sum / count;
   probe.variance = sum2 / count - mean * mean;
+  probe.allUnseen = probe.allUnseen && view.oracle.outside() && !onePoint;
   return probe;
 }
 
@@ -275,8 +300,12 @@ Finding samplesFollowTheirDensity(CheckRun& run) {
     const Probe probed = probe(run, view, suspects);
     Finding finding = judgeView(run, view, ++seed, probed);
     calls += finding.calls;
+    if (finding.status == Status::kFail && probed.allUnseen)
+      finding.cause =
+          "all points are on the far side: the cone is turned away from `from`, or the farther of "
+          "the two points where the direction meets the sphere is taken";
     if (finding.status == Status::kFail && finding.cause.empty()) finding.cause = suspects.cause();
-    if (finding.status == Status::kFail && finding.cause.empty()) finding.cause = causeOfSize(view);
+    if (finding.status == Status::kFail && finding.cause.empty()) finding.cause = causeOf(view);
     if (worst.passed()) worst = finding;
     if (!finding.passed()) break;
     if (remark.empty() && view.oracle.outside() && !probed.asTheContract)
@@ -322,7 +351,9 @@ std::vector<std::pair<Vector, double>> quadratureOf(const SphereView& view) {
 
 Finding pdfIsADensity(CheckRun& run) {
   Exact exact;
-  bool onlyUnseen = true;  // what is too much comes from points that cannot be seen
+  bool onlyUnseen = true;     // what is too much comes from points that cannot be seen
+  bool wrongOutside = false;  // where there is a cone
+  std::string causeOfFirst;   // of the views without one
   DensitySuspects suspects;
   for (const SphereView& view : allViews(run.seed)) {
     const auto nodes = quadratureOf(view);
@@ -349,10 +380,12 @@ Finding pdfIsADensity(CheckRun& run) {
                                                        : SphereOracle::LongVector(0, 1, 0)))));
     const bool right = exact.value("integral of pdf over the sphere's area", integral, 1.0, allowed,
                                    [&] { return view.text(); });
+    if (!right && causeOfFirst.empty() && !view.oracle.outside()) causeOfFirst = causeOf(view);
+    if (!right && view.oracle.outside()) wrongOutside = true;
     onlyUnseen = onlyUnseen && (right || std::abs(integral - unseen - 1.0) <= allowed);
   }
   Finding finding = exact.finding();
-  if (exact.failed()) finding.cause = suspects.cause();
+  if (exact.failed()) finding.cause = wrongOutside ? suspects.cause() : causeOfFirst;
   if (exact.failed() && onlyUnseen)
     finding.cause = "points on the far side, which `from` cannot see, have a density too";
   return finding;

@@ -63,6 +63,16 @@ constexpr Formula kFormulas[] = {
      [](const SphereView& v, const Vector& n) {
        return 0.5 * static_cast<double>(v.oracle.pdf(n));
      }},
+    {"the solid angle of the cone is 2 pi (1 - cos(thetaMax)): the factor 2 is missing",
+     [](const SphereView& v, const Vector& n) {
+       return 2.0 * static_cast<double>(v.oracle.pdf(n));
+     }},
+    {"r / |x - c| is the sine of thetaMax, and not its tangent",
+     [](const SphereView& v, const Vector& n) {
+       const double tangent = v.ratio(), inverse = 1.0 / std::sqrt(1.0 + tangent * tangent);
+       const double oneMinusCos = tangent * tangent * inverse * inverse / (1.0 + inverse);
+       return static_cast<double>(v.oracle.pdf(n) * v.oracle.oneMinusCosMax) / oneMinusCos;
+     }},
 };
 
 }  // namespace
@@ -104,6 +114,25 @@ std::vector<SphereView> viewsFromOutside(std::uint64_t seed) {
   return views;
 }
 
+std::vector<SphereView> viewsAlongAxes() {
+  const Point centre(1, 2, 3);
+  std::vector<SphereView> views;
+  for (const float side : {2.0f, -2.0f})
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector off(0.0f);
+      off[axis] = side;
+      views.emplace_back(centre, 1.0f, centre + off);
+    }
+  for (const float side : {2.0f, -2.0f})
+    for (const float tilt : {2e-4f, 2e-7f})
+      for (int axis = 0; axis < 3; ++axis) {
+        Vector off(0.6f * tilt, 0.8f * tilt, side);
+        std::swap(off[axis], off[2]);
+        views.emplace_back(Point(0), 1.0f, off);
+      }
+  return views;
+}
+
 std::vector<SphereView> viewsFromInside(std::uint64_t seed) {
   std::vector<SphereView> views{{{0, 0, 0}, 2.0f, {0, 1, 0}},
                                 {{1, 2, 3}, 2.0f, {1, 2, 3}},
@@ -141,7 +170,7 @@ void DensitySuspects::see(const SphereView& view, const Vector& n, double densit
   if (!view.oracle.outside() || view.tolerance(n) > kSame || !(right > 0.0)) return;
   for (std::size_t k = 0; k < kCount; ++k) {
     const double suspected = kFormulas[k].density(view, n);
-    if (!(std::abs(density - suspected) <= kSame * suspected)) possible_[k] = false;
+    if (!(std::abs(density - suspected) <= kSame * suspected)) excluded_[k] = true;
     if (std::abs(suspected - right) > kOther * right) differs_[k] = true;
   }
 }
@@ -149,7 +178,7 @@ void DensitySuspects::see(const SphereView& view, const Vector& n, double densit
 std::string DensitySuspects::cause() const {
   std::string found;
   for (std::size_t k = 0; k < kCount; ++k) {
-    if (!possible_[k] || !differs_[k]) continue;
+    if (excluded_[k] || !differs_[k]) continue;
     if (!found.empty()) return {};
     found = kFormulas[k].mistake;
   }

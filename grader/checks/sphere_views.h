@@ -1,9 +1,9 @@
 // Spheres as lights, and points that they are looked at from.
 //
-//   SphereView              a sphere and a viewer, with the oracle that knows the contract's
-//   density viewsFromOutside, viewsFromInside SphereReference         a density that samples are
-//   weighed with, uniform in two coordinates DensitySuspects         known wrong formulas of the
-//   density
+//   SphereView         a sphere and a viewer, with the oracle that knows the contract's density
+//   viewsFromOutside, viewsAlongAxes, viewsFromInside
+//   SphereReference    a density that samples are weighed with, uniform in two coordinates
+//   DensitySuspects    known wrong formulas of the density
 #pragma once
 
 #include "checks/points.h"
@@ -34,6 +34,9 @@ struct SphereView {
 // From plain ones to spheres like a point, and viewers next to the surface.
 std::vector<SphereView> viewsFromOutside(std::uint64_t seed);
 
+// From outside, on and next to the axes, where frames that are made by hand break down.
+std::vector<SphereView> viewsAlongAxes();
+
 // And from exactly on the surface.
 std::vector<SphereView> viewsFromInside(std::uint64_t seed);
 
@@ -55,8 +58,8 @@ class DensitySuspects {
   std::string cause() const;  // the formula that explains all that was seen; empty if none does
 
  private:
-  static constexpr std::size_t kCount = 6;
-  std::array<bool, kCount> possible_{true, true, true, true, true, true}, differs_{};
+  static constexpr std::size_t kCount = 8;
+  std::array<bool, kCount> excluded_{}, differs_{};
 };
 
 }  // namespace pathmark::checks

@@ -319,9 +319,11 @@ diagnosis::Catalogue makeCatalogue(const std::vector<Variant>& variants, unsigne
       diagnosis::FunctionCatalogue f{
           function, hashOf(right), diagnosis::knownSignature("", "", right), {}};
       if (const auto stub = ofStubs.find(function); stub != ofStubs.end())
-        f.stub = diagnosis::knownSignature(diagnosis::kStub,
-                                           "nothing is written: it answers as the empty stub does",
-                                           stub->second);
+        f.stub = diagnosis::knownSignature(
+            diagnosis::kStub,
+            "it answers as the empty stub does: nothing is written, or something keeps all of it "
+            "out (a direction or a sign turned round, a test the wrong way round)",
+            stub->second);
       for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto found = all[i].find(function);
         if (found == all[i].end()) continue;
