@@ -4,6 +4,9 @@
 // point that is lit, as those of part 2.4 are; densities are nevertheless per unit AREA, as in all
 // of LightSample: cos(theta') / (omega r^2), omega the solid angle, r the distance from the point
 // that is lit and theta' the angle there between the light's normal and the direction back.
+//
+// From 1e-3 sr on a sum of angles in float is good enough: omega may be off by 4e-6 sr, and a point
+// may lie beyond an edge by what that moves it. The handout says how far that is.
 #include <pathmark/coursework.h>
 
 namespace pathmark {

@@ -24,6 +24,8 @@ struct Hollow {
       : centre(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)),
         radius(static_cast<float>(random.between(1.0, 3.0))) {}
 
+  Hollow(Random& random, float size) : Hollow(random) { radius *= size; }
+
   // A ray from within that meets the wall at this cosine.
   Ray rayAt(double cosine, Random& random) const {
     const Vector n = random.direction();

@@ -132,7 +132,8 @@ constexpr const char* kOnlyEmission =
     "begin with 1";
 constexpr const char* kOnlyEmissionForMis =
     "only what the first hit emits counts: the throughput does not begin with 1, or the weight of "
-    "a light that the path meets has its densities exchanged (that of the direction comes first)";
+    "a light that the path meets has its densities exchanged (that of the direction comes first), "
+    "or is 0 where light samples have the density 0: it is 1 there";
 constexpr const char* kShort =
     "one bounce short: hits 1 to B get direct light, and hits 1 to B - 1 go on";
 constexpr const char* kShortForMis =
@@ -192,6 +193,18 @@ const std::vector<FurnaceMistake>& furnaceMistakes() {
       emissionAgain("emission is added at every hit, though direct light has counted it", true, 1),
       emissionAgain("emission is added at every hit, and without the throughput", false, 0),
       emissionAgain("emission is added at every hit, and without the throughput", false, 1),
+      {"the path ends at the first light that it meets: a light is a surface like others, and "
+       "reflects too",
+       [](const LopsidedFurnace& f, double cosine, int bounces) {
+         return f.radiance(cosine, std::min(bounces, 1));
+       }},
+      {"direct light counts half",
+       [](const LopsidedFurnace& f, double cosine, int bounces) {
+         return 0.5 * (f.emission + f.radiance(cosine, bounces));
+       },
+       "the weight of a light that the path meets is 1/2 where it must be 1: light samples have "
+       "the "
+       "density 0 here"},
       inStep("the cosine is missing in the throughput", withoutCosine),
       inStep("the throughput takes the cosine of wo: that of wi belongs there", cosineOfTheOther),
       inStep("wo and wi are exchanged in the BRDF of the throughput", swappedDirections),
@@ -244,6 +257,18 @@ double unfairRadiance(const LopsidedFurnace& furnace, double cosine, int bounces
     const bool black = updated || hit > 1;
     const double factor = black ? unfair::factor(first + hit - 1) : 1.0;
     sum = hit == bounces ? direct : direct + factor * reflect(furnace.kd, sum);
+  }
+  return furnace.emission + at(sum, cosine);
+}
+
+double unfairMisRadiance(const LopsidedFurnace& furnace, double cosine, int bounces,
+                         LightBefore before, const std::function<double(int hit)>& factor) {
+  const Polynomial direct = directLight(furnace);
+  Polynomial sum = constant(0.0);
+  for (int hit = bounces; hit > 0; --hit) {
+    const bool bare =
+        before == LightBefore::kAll || (before == LightBefore::kLast && hit == bounces);
+    sum = (bare ? 1.0 : factor(hit)) * direct + factor(hit) * reflect(furnace.kd, sum);
   }
   return furnace.emission + at(sum, cosine);
 }

@@ -47,4 +47,12 @@ inline constexpr const char* kNumberAgain =
 double unfairRadiance(const LopsidedFurnace& furnace, double cosine, int bounces, int first = 1,
                       bool updated = true);
 
+// The same for tracePathMIS, which finds all light of the furnace by its rays. Of which hits it
+// finds that light before their roulette is free: of none, of the last one, whose ray goes no
+// further, or of all. `factor`: the weight over 1/q that the roulette gives at a hit.
+enum class LightBefore { kNone, kLast, kAll };
+
+double unfairMisRadiance(const LopsidedFurnace& furnace, double cosine, int bounces,
+                         LightBefore before, const std::function<double(int hit)>& factor);
+
 }  // namespace pathmark::checks

@@ -152,9 +152,20 @@ struct LightPoint {
 
 std::vector<LightPoint> lightPoints(std::uint64_t seed) {
   std::vector<LightPoint> all{{{0, 0, 0}, {{0, 2, 0}, {0, -1, 0}, 0.25f}},
-                              {{0, 0, 0}, {{1, 1, 0}, {0, -1, 0}, 3.0f}}};
+                              {{0, 0, 0}, {{1, 1, 0}, {0, -1, 0}, 3.0f}},
+                              {{0, 0, 0}, {{3e-5f, 4e-5f, 0}, {0, -1, 0}, 1e4f}},
+                              {{0, 0, 0}, {{3e-7f, 4e-7f, 0}, {0, -1, 0}, 1e4f}}};
   Random random(seed);
-  while (all.size() < 300) {
+  // Small cosines are right too: seen at a grazing angle, a light is there.
+  for (int k = 0; k < 60; ++k) {
+    LightPoint point;
+    point.y = {Point(random.direction()), random.direction(), 2.0f};
+    const double cosine = std::pow(10.0, random.between(-3.5, -1.7));
+    const Vector towards = atCosine(point.y.n, cosine, random.between(0.0, 6.28));
+    point.from = point.y.p + static_cast<float>(random.between(0.5, 2.0)) * towards;
+    all.push_back(point);
+  }
+  while (all.size() < 364) {
     const double size = std::pow(10.0, random.between(-4.0, 4.0));
     LightPoint point;
     point.from = Point(size * random.between(0.0, 2.0) * glm::dvec3(random.direction()));
@@ -231,9 +242,10 @@ std::span<const Check> part8Checks() {
          "the density is 0 from behind the light and in its plane, at the point itself, and where "
          "there is no sample",
          0.0, noDensityFromBehind}};
-    // Whether the last ray's light comes before the roulette or after it is free, and a roulette
-    // that is not fair tells them apart. What single bounces add is noisier than in part 5, since
-    // half of it comes one ray later: "room" and "later-hits" look at bounces.
+    // Where the roulette comes is free, before light that the ray finds or after it, and a roulette
+    // that is not fair tells them apart: path::lightChecks() has a check of its own for it. What
+    // single bounces add is noisier than in part 5, since half of it comes one ray later: "room"
+    // and "later-hits" look at bounces.
     for (const Check& check : path::checksOf(F::kTracePathMis))
       if (check.name != "roulette" && check.name != "bounces") all.push_back(check);
     for (const Check& check : path::lightChecks()) all.push_back(check);

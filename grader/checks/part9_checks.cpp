@@ -16,8 +16,6 @@ namespace {
 
 using F = CourseworkFunction;
 
-constexpr double kRoundoff = 0x1p-24;
-
 constexpr bool isOfTriangles(F f) {
   return f == F::kSphericalTriangleSampling || f == F::kSphericalTrianglePdf;
 }
@@ -47,6 +45,22 @@ std::string withNumbers(const SeenLight& light, const vec2& st) {
   return fmt::format("{}, s = {:.8g}, t = {:.8g}", light.text(), st.x, st.y);
 }
 
+constexpr const char* kAtan =
+    "the solid angle is wrong where a triangle fills more than pi: use atan2, whose denominator "
+    "may "
+    "be negative";
+
+bool isPastPi(const SeenLight& light) {
+  return light.outline().vertices().size() == 3 && light.omega() > std::numbers::pi;
+}
+
+// What is not a density above 0 on lights of more than pi only.
+Finding noDensity(const Exact& exact, const SeenLight& light, double pdf) {
+  Finding finding = exact.finding();
+  if (pdf <= 0.0 && isPastPi(light)) finding.cause = kAtan;
+  return finding;
+}
+
 template <F kSampling>
 Finding pointsAreOfTheLight(CheckRun& run) {
   Exact exact;
@@ -58,11 +72,6 @@ Finding pointsAreOfTheLight(CheckRun& run) {
     for (std::size_t i = count; i-- > 0;) pairs.push_back(pairs[i]);
     const Results results = draw(run, kSampling, light, pairs);
     exact.count(results.count());
-    // From afar the direction is rounded too.
-    const double reach = glm::length(glm::dvec3(light.from()));
-    const double allowed = 64.0 * kRoundoff *
-                           (light.mustBeUniform() ? std::max(light.outline().magnitude(), reach)
-                                                  : light.outline().magnitude());
     for (std::size_t i = 0; i < count; ++i) {
       const auto where = [&] { return withNumbers(light, pairs[i]); };
       const Point p = results.vector(i, 0);
@@ -73,10 +82,11 @@ Finding pointsAreOfTheLight(CheckRun& run) {
       };
       if (!exact.holds(results.finite(i) && pdf > 0.0, "finite numbers, and a density above 0", got,
                        where))
-        return exact.finding();
+        return noDensity(exact, light, pdf);
       const double distance = light.outline().distance(p);
       exact.holds(
-          distance <= allowed, "a point of the light",
+          distance <= light.edgeTolerance(p) && light.offPlane(p) <= light.planeTolerance(),
+          "a point of the light",
           [&] { return fmt::format("p = {}, which is off it by {:.3g}", text(p), distance); },
           where);
       exact.holds(
@@ -96,15 +106,20 @@ class DensityValues {
     const double q = light.density(p), omega = light.omega();
     const double r = glm::length(glm::dvec3(p) - glm::dvec3(light.from()));
     const double perArea = q * omega;  // cos(theta') / r^2
+    // The triangle's half angle is beyond a right angle then.
+    const double rest = 2.0 * std::numbers::pi - omega;
     exact_.value("pdf", pdf, q, light.tolerance(p) * q, where,
-                 {1.0 / light.outline().area(), 1.0 / omega, perArea, 1.0 / perArea / omega, q * r,
+                 {isPastPi(light) ? -perArea / rest : q, isPastPi(light) ? perArea / rest : q,
+                  1.0 / light.outline().area(), 1.0 / omega, perArea, 1.0 / perArea / omega, q * r,
                   perArea / (4.0 * std::numbers::pi), perArea * omega, 2.0 * q, q * r * r});
   }
   void count(std::uint64_t calls) { exact_.count(calls); }
   Finding finding() const { return exact_.finding(); }
 
  private:
-  Exact exact_{"one over the area: these points are to be uniform over the solid angle",
+  Exact exact_{kAtan,
+               kAtan,
+               "one over the area: these points are to be uniform over the solid angle",
                "1 / omega is the density per unit solid angle: it must be per unit area",
                "omega is missing",
                "cos(theta') / r^2 is divided by where it must be multiplied with",
@@ -271,13 +286,13 @@ Finding pdfIsADensity(CheckRun& run) {
               std::isfinite(pdf) && pdf > 0.0, "a density above 0 on all of the light",
               [&] { return fmt::format("pdf = {:.6g}", pdf); },
               [&] { return fmt::format("{}, p = {}", light.text(), text(nodes[i].first)); }))
-        return exact.finding();
+        return noDensity(exact, light, pdf);
       if (light.mustBeUniform() && i % 37 == 0)
         values.see(light, nodes[i].first, pdf,
                    [&] { return fmt::format("{}, p = {}", light.text(), text(nodes[i].first)); });
       integral += nodes[i].second * pdf;
     }
-    const double rounding = light.mustBeUniform() ? 4e-6 / light.omega() : 0.0;
+    const double rounding = light.mustBeUniform() ? light.angleTolerance() / light.omega() : 0.0;
     exact.value("integral of pdf over the light's area", integral, 1.0, 1e-3 + rounding,
                 [&] { return light.text(); });
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace pathmark::checks {
@@ -14,6 +15,8 @@ namespace pathmark::checks {
 namespace {
 
 using L = long double;
+
+constexpr double kRoundoff = 0x1p-24;
 
 L lengthOf(const LongVector& a) { return std::sqrt(glm::dot(a, a)); }
 
@@ -57,9 +60,51 @@ double SeenLight::density(const Point& p) const {
 }
 
 double SeenLight::tolerance(const Point& p) const {
-  constexpr double kOfAngles = 4e-6;  // sr
   const auto condition = static_cast<double>(lengthOf(between(p, from_)) / height_);
-  return relativeTolerance(1.0 + condition) + kOfAngles / omega();
+  return relativeTolerance(1.0 + condition) + angleTolerance() / omega();
+}
+
+// An angle as the arc cosine of a rounded cosine has an error of that rounding over its sine: it
+// counts where a corner is narrow.
+double SeenLight::angleTolerance() const {
+  constexpr double kOfAngles = 4e-6;
+  L sum = 0.0L;
+  for (std::size_t k = 0; k < v_.size(); ++k) {
+    const LongVector& corner = v_[k];
+    const LongVector out = glm::cross(corner, v_[(k + 1) % v_.size()]),
+                     in = glm::cross(corner, v_[(k + v_.size() - 1) % v_.size()]);
+    sum += lengthOf(out) * lengthOf(in) / lengthOf(glm::cross(out, in));
+  }
+  return std::max(kOfAngles, 2.0 * kRoundoff * static_cast<double>(sum));
+}
+
+// From afar the direction is rounded too.
+double SeenLight::planeTolerance() const {
+  const double reach = glm::length(glm::dvec3(from_));
+  return 64.0 * kRoundoff *
+         (mustBeUniform() ? std::max(outline_.magnitude(), reach) : outline_.magnitude());
+}
+
+// A share of a sum of angles ends angleTolerance() too far at most: a wedge from a corner along an
+// edge that fills the angle a has the solid angle 1 - cos(a) for each unit of its own angle, and
+// its far end is sin(a) for each, so that it is moved by angleTolerance() / tan(a / 2). The plane
+// stretches an angle by r^2 / height.
+double SeenLight::edgeTolerance(const Point& p) const {
+  if (!mustBeUniform()) return planeTolerance();
+  L halfTangent2 = std::numeric_limits<L>::infinity();  // of the edge that looks shortest
+  for (std::size_t k = 0; k < v_.size(); ++k) {
+    const L h = oneMinusCos(v_[k], v_[(k + 1) % v_.size()]);
+    halfTangent2 = std::min(halfTangent2, h / std::max(2.0L - h, 1e-12L));
+  }
+  const LongVector toPoint = between(p, from_);
+  const L stretch = glm::dot(toPoint, toPoint) / height_;
+  return planeTolerance() +
+         angleTolerance() * static_cast<double>(stretch / std::sqrt(halfTangent2));
+}
+
+double SeenLight::offPlane(const Point& p) const {
+  const LongVector n = glm::cross(v_[1] - v_[0], v_.back() - v_[0]);
+  return static_cast<double>(std::abs(glm::dot(between(p, from_) - v_[0], n)) / lengthOf(n));
 }
 
 // The plane through v1 and p cuts the edge from v0 to v2 at c.
@@ -90,7 +135,7 @@ std::array<double, 2> SeenLight::fractions(const Point& p) const {
 }
 
 std::vector<Mean> SeenLight::means() const {
-  const double rounding = mustBeUniform() ? std::max(5e-4, 4e-6 / omega()) : 1e-3;
+  const double rounding = mustBeUniform() ? std::max(5e-4, angleTolerance() / omega()) : 1e-3;
   const auto moment = [&](const char* what, double expected) {
     return Mean{.what = what, .expected = expected, .tolerance = rounding, .scale = expected};
   };
@@ -176,6 +221,14 @@ class Maker {
     all_.emplace_back(std::move(what), std::move(vertices), Point(size * from));
   }
 
+  // From so far that it fills this solid angle, and aside, so that it is not seen alike everywhere.
+  void addOfSolidAngle(std::string what, double omega) {
+    add(std::move(what), 20.0, 20.0);
+    const SeenLight light = std::move(all_.back());
+    all_.back() = SeenLight(light.what(), light.outline().vertices(),
+                            static_cast<float>(std::sqrt(light.omega() / omega)) * light.from());
+  }
+
   void add(SeenLight light) { all_.push_back(std::move(light)); }
 
   std::vector<SeenLight> take() { return std::move(all_); }
@@ -196,6 +249,9 @@ std::vector<SeenLight> lightsInSight(bool triangles, std::uint64_t seed) {
   if (dot(cross(plain[1] - plain[0], plain[2] - plain[0]), Vector(0, 1, 0)) > 0.0f)
     std::reverse(plain.begin(), plain.end());
   maker.add(SeenLight("a plain one above the origin", plain, Point(0.25f, 0.0f, 0.5f)));
+  for (Point& p : plain) p.y += 1.0f;
+  maker.add(SeenLight("a higher one, asked after it from the same point", plain,
+                      Point(0.25f, 0.0f, 0.5f)));
   maker.add("in front of it", 1.0, 0.2);
   maker.add("close by", 0.15, 0.2);
   maker.add("from aside", 0.5, 1.5);
@@ -206,6 +262,9 @@ std::vector<SeenLight> lightsInSight(bool triangles, std::uint64_t seed) {
   maker.add("from afar", 12.0, 4.0);
   maker.add("from so far that it is small", 3e2, 1e2);
   maker.add("from so far that it is nearly a point", 3e4, 1e4);
+  maker.add("very close", 0.06, 0.05);
+  maker.addOfSolidAngle("just too small to be uniform over it", 0.9 * kSmallestSolidAngle);
+  maker.addOfSolidAngle("just large enough to be uniform over it", 1.1 * kSmallestSolidAngle);
   return maker.take();
 }
 

@@ -26,6 +26,7 @@ class SeenLight {
   SeenLight(std::string what, std::vector<Point> vertices, const Point& from);
 
   const Outline& outline() const { return outline_; }
+  const std::string& what() const { return what_; }
   const Point& from() const { return from_; }
   std::string text() const;
 
@@ -35,8 +36,16 @@ class SeenLight {
   // Per unit area, of points that are uniform over the solid angle.
   double density(const Point& p) const;
 
+  // Of a sum of angles in float, sr.
+  double angleTolerance() const;
+
   // Relative, of a density: what a sum of angles in float may cost, and the rounding of inputs.
   double tolerance(const Point& p) const;
+
+  // How far beyond an edge p may lie, and how far off the plane.
+  double edgeTolerance(const Point& p) const;
+  double planeTolerance() const;
+  double offPlane(const Point& p) const;
 
   // Of points with that density, or weighted to it.
   std::vector<Mean> means() const;

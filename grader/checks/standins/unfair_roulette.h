@@ -5,8 +5,8 @@
 // that depends on the depth. So the mean shows whether it has been asked, with which depth and
 // which throughput, and whether its answer was taken.
 //
-// Where the throughput is black in the second channel every path survives: there the mean has so
-// little noise that an error of 1 % in the throughput shows.
+// Where the throughput is black in the first or second channel every path survives: there the mean
+// has so little noise that an error of 1 % in the throughput shows.
 #pragma once
 
 namespace pathmark::unfair {
