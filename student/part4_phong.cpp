@@ -22,7 +22,8 @@ Colour phongBRDF::brdf(const Vector& /*wo*/, const Vector& /*wi*/, const Vector&
 // Part 4.2 (handout section 4.2): the density of `reflection`, which is that of the mixture of
 // both lobes, whichever of them wi came from:
 //   P(diffuse) cos(theta) / pi + P(specular) (m + 1) / (2 pi) max(0, cos(alpha))^m
-// The specular lobe may reach below the surface, and its density is not 0 there.
+// The specular lobe may reach below the surface: there pdf is its density. It may be 0 there
+// instead, "no sample", if reflection returns the same 0.
 //
 // Returns the density per unit solid angle with which reflection(wo, n, ...) returns wi; 0 if
 // Kd = Ks = 0.
@@ -42,8 +43,8 @@ float phongBRDF::pdf(const Vector& /*wo*/, const Vector& /*wi*/, const Vector& /
 //   s, t, u   uniform in [0,1)
 //
 // Returns the unit vector wi and the density pdf(wo, wi, n) of the mixture. A direction below the
-// surface is returned as it is, with its density: it carries no light, since f is 0 there. With
-// Kd = Ks = 0 there is nothing to sample: density 0.
+// surface is returned as it is, with the density that pdf says: it carries no light, since f is 0
+// there. With Kd = Ks = 0 there is nothing to sample: density 0.
 DirectionSample phongBRDF::reflection(const Vector& /*wo*/, const Vector& n, float /*s*/,
                                       float /*t*/, float /*u*/) const {
   PATHMARK_UNIMPLEMENTED("part4_phong.cpp", "phongBRDF::reflection");

@@ -21,7 +21,7 @@ using F = CourseworkFunction;
 constexpr double kPiD = std::numbers::pi;
 constexpr double kRoundoff = 0x1p-24;
 
-const Colour kKd(0.9f, 0.5f, 0.2f);
+const Colour kKd(0.9f, 0.5f, 0.2f), kOtherKd(0.1f, 0.7f, 0.4f);
 
 // A pair of directions at a point of a surface. The cosines are those of the vectors as floats.
 struct Pair {
@@ -58,25 +58,29 @@ std::vector<Pair> pairs(std::uint64_t seed) {
 }
 
 Finding valueIsKdOverPi(CheckRun& run) {
-  Calls calls(F::kLambertianBrdf, Words().add(kKd));
   const std::vector<Pair> inputs = pairs(run.seed);
-  for (const Pair& p : inputs) calls.add(p.wo, p.wi, p.n);
-  const Results results = calls.run(run.worker);
   Exact exact{"the factor 1/pi is missing",
               "the cosine is part of the BRDF: it belongs to the caller",
               "no test of the sides: the back reflects",
               "only the side of wi is tested",
               "only the side of wo is tested",
-              "1/(2 pi) stands where 1/pi belongs"};
-  exact.count(inputs.size());
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const Pair& p = inputs[i];
-    for (int c = 0; c < 3; ++c) {
-      const double f = double{kKd[c]} / kPiD, expected = p.bothAbove() ? f : 0.0;
-      exact.value(inChannel("f", c), results.vector(i, 0)[c], expected, relativeTolerance() * f,
-                  [&] { return p.text(); },
-                  {expected * kPiD, expected * p.cosI, f, p.cosI > 0.0 ? f : 0.0,
-                   p.cosO > 0.0 ? f : 0.0, 0.5 * expected});
+              "1/(2 pi) stands where 1/pi belongs",
+              "Kd/pi is kept from the first call: each material has its own Kd"};
+  for (const Colour& kd : {kKd, kOtherKd}) {
+    Calls calls(F::kLambertianBrdf, Words().add(kd));
+    for (const Pair& p : inputs) calls.add(p.wo, p.wi, p.n);
+    const Results results = calls.run(run.worker);
+    exact.count(inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const Pair& p = inputs[i];
+      for (int c = 0; c < 3; ++c) {
+        const double f = double{kd[c]} / kPiD, expected = p.bothAbove() ? f : 0.0;
+        const double kept = p.bothAbove() ? double{kKd[c]} / kPiD : 0.0;
+        exact.value(inChannel("f", c), results.vector(i, 0)[c], expected, relativeTolerance() * f,
+                    [&] { return fmt::format("Kd = {}, {}", text(kd), p.text()); },
+                    {expected * kPiD, expected * p.cosI, f, p.cosI > 0.0 ? f : 0.0,
+                     p.cosO > 0.0 ? f : 0.0, 0.5 * expected, kept});
+      }
     }
   }
   return exact.finding();

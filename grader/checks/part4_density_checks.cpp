@@ -44,13 +44,16 @@ class DensityJudge {
     const std::vector<double> pdf = densities(material, n, wo, nodes);
     const auto where = [&] { return MixtureCase{material, n, wo}.text(); };
     if (pdf.empty()) return false;
-    double integral = 0.0, diffuse = 0.0, specular = 0.0, specularBelow = 0.0, even = 0.0;
+    double integral = 0.0, diffuse = 0.0, specular = 0.0, specularBelow = 0.0, even = 0.0,
+           rounded = 0.0;  // cos^m of the exponent rounded down
     bool emptyBelow = true;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const double s = lobes.specular(nodes[i].wi), weight = nodes[i].weight;
       integral += weight * pdf[i];
       diffuse += weight * lobes.diffuse(nodes[i].wi);
       specular += weight * s;
+      const double c = lobes.cosAlpha(nodes[i].wi), m = lobes.m;
+      rounded += weight * (m + 1.0) / (2.0 * kPiD) * (c > 0.0 ? std::pow(c, std::floor(m)) : 0.0);
       even += weight * std::max(glm::dot(lobes.wo, lobes.n), 0.0) / kPiD;
       if (nodes[i].above) continue;
       specularBelow += weight * s;
@@ -74,7 +77,8 @@ class DensityJudge {
                  {share * diffuse + (1.0 - share) * specular * (m + 2.0) / (m + 1.0), 2.0, 0.5,
                   share * kPiD + (1.0 - share) * specular, share * even + (1.0 - share) * specular,
                   share * diffuse + (1.0 - share) * specular * m / (m + 1.0),
-                  share * diffuse + (1.0 - share) * specular * 2.0 * kPiD / (m + 1.0)});
+                  share * diffuse + (1.0 - share) * specular * 2.0 * kPiD / (m + 1.0),
+                  share * diffuse + (1.0 - share) * rounded});
     return true;
   }
 
@@ -137,7 +141,8 @@ class DensityJudge {
                "the diffuse density lacks its factor 1/pi",
                "the diffuse density has the cosine of wo instead of wi's",
                "m stands where m + 1 belongs",
-               "the factor (m + 1) / (2 pi) of the specular density is missing"};
+               "the factor (m + 1) / (2 pi) of the specular density is missing",
+               "the exponent is rounded down to an integer"};
 };
 
 }  // namespace

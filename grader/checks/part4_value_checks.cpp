@@ -45,6 +45,21 @@ bool onAnEdge(const PhongLobes& lobes, const glm::dvec3& wi) {
   return std::abs(lobes.cosTheta(wi)) < 1e-6 || std::abs(lobes.cosAlpha(wi)) < 1e-4;
 }
 
+// Asked for first: what is kept from one call to the next is of this one.
+const PhongMaterial kFirst{kKd, kKs, kExponents[0]};
+
+// Every exponent, each lobe alone, and another material.
+std::vector<PhongMaterial> materials() {
+  std::vector<PhongMaterial> all{kFirst};
+  for (const float exponent : kExponents)
+    if (exponent != kFirst.exponent) all.push_back({kKd, kKs, exponent});
+  all.push_back({kBlack, kKs, 3.7f});
+  all.push_back({kKd, kBlack, 3.7f});
+  all.push_back({kBlack, kBlack, 3.7f});
+  all.push_back({kKs, kKd, 10.0f});
+  return all;
+}
+
 class ValueJudge {
  public:
   void judge(const PhongMaterial& material, const Pair& p, const Colour& f) {
@@ -77,16 +92,28 @@ class ValueJudge {
         return above ? kd + ks * factor * power : 0.0;
       };
       const double power = lobes.power(c);
-      exact_.value(
-          what, f[k], expected, allowed, where,
-          {with(m + 1.0, power), with(2.0 * kPiD, power), with(m + 2.0, lobes.power(half)),
-           with(m + 2.0, lobes.power(c2)), with(m + 2.0, lobes.power(-c)),
-           side * ((1.0 - double{material.ks[k]}) / kPiD + specular), 0.5 * expected, kd + specular,
-           with(m + 2.0, std::pow(c, m)), with(m + 2.0, m == 0.0 ? 1.0 : power), expected * cosI,
-           side * (kd * kPiD + specular), with(m + 2.0, lobes.power(lobes.cosTheta(wi))), side * kd,
-           side * specular, cosI > 0.0 ? kd + specular : 0.0,
-           glm::dot(lobes.wo, lobes.n) > 0.0 ? kd + specular : 0.0,
-           with(m + 2.0, c > 0.0 ? std::pow(c, std::floor(m)) : 0.0)});
+      exact_.value(what, f[k], expected, allowed, where,
+                   {with(m + 1.0, power),
+                    with(2.0 * kPiD, power),
+                    with(m + 2.0, lobes.power(half)),
+                    with(m + 2.0, lobes.power(c2)),
+                    with(m + 2.0, lobes.power(-c)),
+                    side * ((1.0 - double{material.ks[k]}) / kPiD + specular),
+                    0.5 * expected,
+                    kd + specular,
+                    with(m + 2.0, std::pow(c, m)),
+                    with(m + 2.0, m == 0.0 ? 1.0 : power),
+                    expected * cosI,
+                    side * (kd * kPiD + specular),
+                    with(m + 2.0, lobes.power(lobes.cosTheta(wi))),
+                    side * kd,
+                    side * specular,
+                    cosI > 0.0 ? kd + specular : 0.0,
+                    glm::dot(lobes.wo, lobes.n) > 0.0 ? kd + specular : 0.0,
+                    with(m + 2.0, c > 0.0 ? std::pow(c, std::floor(m)) : 0.0),
+                    material.kd == kBlack || material.ks == kBlack ? 0.0 : expected,
+                    material.kd == kBlack ? 0.0 : expected,
+                    side * (double{kFirst.kd[k]} / kPiD + specular)});
     }
   }
 
@@ -114,7 +141,10 @@ class ValueJudge {
                "the diffuse term is missing",
                "only the side of wi is tested",
                "only the side of wo is tested",
-               "the exponent is rounded down to an integer"};
+               "the exponent is rounded down to an integer",
+               "f is 0 as soon as one of Kd and Ks is: the other lobe still reflects",
+               "f is 0 as soon as Kd is: the specular lobe still reflects",
+               "Kd/pi is kept from the first call: each material has its own Kd"};
 };
 
 }  // namespace
@@ -122,9 +152,8 @@ class ValueJudge {
 Finding valueIsTheFormula(CheckRun& run) {
   ValueJudge judge;
   std::uint64_t calls = 0;
-  for (const float exponent : kExponents) {
-    const PhongMaterial material{kKd, kKs, exponent};
-    const std::vector<Pair> inputs = pairs(run.seed, exponent);
+  for (const PhongMaterial& material : materials()) {
+    const std::vector<Pair> inputs = pairs(run.seed, material.exponent);
     Calls values(F::kPhongBrdf, material.words());
     for (const Pair& p : inputs) values.add(p.wo, p.wi, p.n);
     const Results results = values.run(run.worker);

@@ -13,11 +13,9 @@
 #include "checks/path_estimates.h"
 #include "checks/points.h"
 #include "checks/scenes.h"
-#include "checks/standins/lopsided.h"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -106,62 +104,6 @@ Finding lopsidedFurnace(CheckRun& run) {
                   "that depends on wo and wi, and a roulette that ends 7 paths of 10",
                   text(emission)),
       suspicions);
-}
-
-// The weight of a bounce changes the radiance of the whole by much less than itself. With the same
-// random numbers the paths of one bounce more are the same paths, continued: what they add has
-// little noise, and an error of the weight shows in full. A wall that is black in green keeps the
-// roulette's stand-in from ending paths, which would be most of the noise. With the third bounce it
-// shows whether the throughput remembers the first.
-constexpr double kBounceDelta = 0.01;
-
-Finding furtherBounces(CheckRun& run) {
-  Random random(run.seed);
-  const Hollow hollow(random);
-  const Colour kd(0.5f, 0.0f, 0.75f), emission(1.0f, 0.5f, 2.0f);
-  constexpr std::array kLit{0, 2};  // channels that the wall reflects
-  constexpr int kMostBounces = 3;
-  run.worker.loadScene(furnaceIn(hollow, kd, emission));
-  const double cosine = 0.6;
-  const Ray ray = hollow.rayAt(cosine, random);
-  std::vector<PathEstimates> upTo;
-  std::vector<Mean> ratios;
-  for (int bounces = 1; bounces <= kMostBounces; ++bounces) {
-    upTo.emplace_back(run, std::vector<PathRay>{{ray, bounces}}, 1024);
-    if (bounces > 1)
-      ratios.push_back({.what = fmt::format("what bounce {} adds / what it must", bounces),
-                        .expected = 1.0,
-                        .delta = (bounces - 1) * kBounceDelta});
-  }
-  const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
-    std::vector<double> before(3 * count), after(3 * count);
-    upTo[0].measure(first, count, before);
-    for (int bounces = 2; bounces <= kMostBounces; ++bounces, std::swap(before, after)) {
-      upTo[static_cast<std::size_t>(bounces - 1)].measure(first, count, after);
-      for (std::size_t r = 0; r < count; ++r) {
-        double& ratio = values[r * ratios.size() + static_cast<std::size_t>(bounces - 2)];
-        ratio = 0.0;
-        for (const int c : kLit) {
-          const LopsidedFurnace furnace{double{emission[c]}, double{kd[c]}};
-          const double added =
-              furnace.radiance(cosine, bounces) - furnace.radiance(cosine, bounces - 1);
-          const std::size_t at = 3 * r + static_cast<std::size_t>(c);
-          ratio += (after[at] - before[at]) / (added * kLit.size());
-        }
-      }
-    }
-  };
-  Suspicion numberAgain{kNumberAgain, {}};
-  for (int bounce = 2; bounce <= kMostBounces; ++bounce)
-    numberAgain.means.push_back(std::pow(double{lopsided::kShareOfSamples}, 1 - bounce));
-  Finding finding = judgeMeans(
-      run, ratios, measure,
-      fmt::format("inside a sphere that emits {} everywhere, maxBounces() = 1 to {} with the same "
-                  "random numbers",
-                  text(emission), kMostBounces),
-      {numberAgain});
-  for (const PathEstimates& estimates : upTo) finding.calls += estimates.paths();
-  return finding;
 }
 
 Finding furnaceWithSphere(CheckRun& run) {
@@ -257,7 +199,8 @@ std::vector<Check> path::checksOf(CourseworkFunction pathTracer) {
   return {
       {"emission", pathTracer,
        "of a light that is seen directly comes what its front emits, counted once; its back and "
-       "the world around are black, and so is a lit surface where maxBounces() = 0",
+       "the world around are black, and so are the back of any surface, and a lit one where "
+       "maxBounces() = 0",
        0.0, emissionIsSeen},
       {"valid", pathTracer,
        "the radiance is finite and not negative, also where reflection says \"no sample\"", 0.0,
@@ -273,8 +216,10 @@ std::vector<Check> path::checksOf(CourseworkFunction pathTracer) {
        "bounces",
        Deltas{}.all, lopsidedFurnace},
       {"bounces", pathTracer,
-       "each further bounce adds the light that has been scattered once more", kBounceDelta,
-       furtherBounces},
+       "each further bounce adds the light that has been scattered once more, up to maxBounces() "
+       "of "
+       "them, in small rooms and on dark walls too",
+       kBounceDelta, bouncesAdd},
       {"furnace-with-sphere", pathTracer,
        "where all surfaces emit E and reflect a quarter, the mean radiance is E (4 - 4^-B) / 3",
        Deltas{}.all, furnaceWithSphere},

@@ -1,5 +1,6 @@
-// What is asked of single paths: part5_single_path_checks.cpp. Means over many are in
-// part5_checks.cpp. All of it is asked of both path tracers, 5.1 and 8.3.
+// What is asked of single paths: part5_single_path_checks.cpp, of what each bounce adds:
+// part5_bounce_checks.cpp. Other means over many paths are in part5_checks.cpp. All of it is asked
+// of both path tracers, 5.1 and 8.3.
 #pragma once
 
 #include "checks/check.h"
@@ -10,6 +11,9 @@ Finding emissionIsSeen(CheckRun& run);
 Finding radianceIsValid(CheckRun& run);
 Finding sameNumbersSameRadiance(CheckRun& run);
 Finding twiceTheEmission(CheckRun& run);
+
+inline constexpr double kBounceDelta = 0.01;  // of the weight of one bounce
+Finding bouncesAdd(CheckRun& run);
 
 // Of tracePath or tracePathMIS.
 std::vector<Check> checksOf(CourseworkFunction pathTracer);

@@ -115,14 +115,65 @@ Finding litSurfaceWithoutBounces(CheckRun& run) {
   return finding;
 }
 
+// A plate of either material, seen from behind in a room full of light.
+Finding backsAreBlack(CheckRun& run) {
+  Random random(run.seed);
+  const Colour kd(0.5f, 0.0f, 0.75f);
+  Exact exact;
+  bool reflects = false;
+  for (const Surface& plate : {lopsidedWall(kd, Colour(0.0f)), Surface{.kd = kd}}) {
+    const Hollow hollow(random);
+    const Vector n = random.direction(), v1 = atCosine(n, 0.0, random.between(0.0, 6.0));
+    const float side = 0.5f * hollow.radius;
+    const Vector v2 = side * cross(n, v1);
+    SceneBuilder builder;
+    builder.sphere({.kd = kd, .emission = Colour(1.0f)}, hollow.centre, hollow.radius, true)
+        .parallelogram(plate, hollow.centre - 0.5f * (side * v1 + v2), side * v1, v2);
+    run.worker.loadScene(builder.flat());
+    std::vector<PathRay> rays;
+    for (const int bounces : {2, 8})
+      for (int k = 0; k < 64; ++k) {
+        const Vector wo = atCosine(n, random.between(-1.0, -0.3), random.between(0.0, 6.0));
+        rays.push_back({{hollow.centre + 0.5f * hollow.radius * wo, -wo}, bounces});
+      }
+    const std::vector<Traced> traced = traceOnce(run, rays);
+    exact.count(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      reflects = reflects || (traced[k].valid && traced[k].radiance != Colour(0.0f));
+      exact.holds(
+          traced[k].valid && traced[k].radiance == Colour(0.0f), "the radiance 0",
+          [&] {
+            return traced[k].valid ? "the radiance " + text(traced[k].radiance)
+                                   : std::string("a value that is not finite, or negative");
+          },
+          [&] {
+            return fmt::format(
+                "the back of a plate that does not emit, in a sphere that does; "
+                "maxBounces() = {}",
+                rays[k].bounces);
+          });
+    }
+  }
+  Finding finding = exact.finding();
+  if (reflects)
+    finding.cause =
+        "a surface is seen from behind, and reflects: is the normal turned towards wo? Backs are "
+        "black, and hit.n is always that of the front";
+  return finding;
+}
+
 }  // namespace
 
 Finding emissionIsSeen(CheckRun& run) {
-  Finding lamp = lampAlone(run);
-  if (!lamp.passed()) return lamp;
-  Finding surface = litSurfaceWithoutBounces(run);
-  surface.calls += lamp.calls;
-  return surface;
+  Finding finding;
+  std::uint64_t calls = 0;
+  for (const auto judge : {lampAlone, litSurfaceWithoutBounces, backsAreBlack}) {
+    finding = judge(run);
+    calls += finding.calls;
+    if (!finding.passed()) break;
+  }
+  finding.calls = calls;
+  return finding;
 }
 
 // Furnaces with all that can happen to a path: no samples, grazing directions, many bounces.

@@ -33,7 +33,8 @@ struct Path {
   }
 };
 
-constexpr int kDepths[] = {1, 2, 3, 4, 5, 8, 20};
+constexpr int kDepths[] = {1, 2, 3, 4, 5, 8, 20, 33, 64, 1000};
+constexpr int kFirstEnding = 4;  // depth from which on dark paths must end now and then
 
 // From plain ones to those that carry one colour only, next to nothing, or more than 1.
 std::vector<Path> paths(std::uint64_t seed) {
@@ -243,17 +244,47 @@ double allowedFor(const Outcome& outcome) {
 
 // Whether what is wrong is that the darkest paths never survive.
 bool onlyCut(const std::vector<Path>& all, const std::vector<Outcome>& outcomes) {
-  float brightestCut = 0.0f, darkestRight = 1e9f;
+  constexpr float kNone = 1e9f;
+  float brightestCut = 0.0f, darkestRight = kNone;
   for (std::size_t p = 0; p < all.size(); ++p) {
     const bool right = std::abs(outcomes[p].mean - 1.0) <= allowedFor(outcomes[p]);
     if (!right && outcomes[p].survival > 0.0) return false;
-    if (all[p].depth < kDepths[3]) continue;
+    if (all[p].depth < kFirstEnding) continue;
     if (right)
       darkestRight = std::min(darkestRight, all[p].largest());
     else
       brightestCut = std::max(brightestCut, all[p].largest());
   }
-  return brightestCut > 0.0f && brightestCut < darkestRight;
+  return brightestCut > 0.0f && darkestRight < kNone && brightestCut < darkestRight;
+}
+
+// Empty if some path survives at the largest depth.
+std::string causeOfNoSurvivors(const std::vector<Path>& all, const std::vector<Outcome>& outcomes) {
+  int deepest = 0;  // at which some path survives
+  for (std::size_t p = 0; p < all.size(); ++p)
+    if (outcomes[p].survival > 0.0) deepest = std::max(deepest, all[p].depth);
+  const auto next = std::upper_bound(std::begin(kDepths), std::end(kDepths), deepest);
+  if (next == std::end(kDepths)) return {};
+  const int first = std::max(*next, all.front().depth);
+  if (first == kFirstEnding)
+    return "from depth 4 on no path survives: is the probability a quotient of integers, such as "
+           "1/2, which is 0?";
+  return fmt::format(
+      "at depth {} no path survives any more: what it would still have carried is lost; "
+      "maxBounces() is the only limit, and tracePath keeps it",
+      first);
+}
+
+// Whether bright paths survive more often than dark ones, 1, or less often, -1, or neither, 0.
+int survivalGoesWithThroughput(const std::vector<Path>& all, const std::vector<Outcome>& outcomes) {
+  constexpr double kClear = 0.01;
+  const auto survivalOf = [&](const Colour& throughput) {
+    for (std::size_t p = 0; p < all.size(); ++p)
+      if (all[p].throughput == throughput && all[p].depth == 8) return outcomes[p].survival;
+    return 0.0;
+  };
+  const double difference = survivalOf(Colour(0.5f)) - survivalOf(Colour(1e-6f));
+  return std::abs(difference) < kClear ? 0 : difference > 0.0 ? 1 : -1;
 }
 
 Finding meanIsOne(CheckRun& run) {
@@ -271,24 +302,30 @@ Finding meanIsOne(CheckRun& run) {
               "a throughput with a black channel ends, though the other channels carry light",
               "no path ever survives"};
   const std::vector<Outcome> outcomes = outcomesOf(run, all, exact);
+  // A test that is turned round and a weight of 1 - q give the same mean. The first lets dark paths
+  // live rather than bright ones, and where the probability is the same for all, large u.
+  const int goes = survivalGoesWithThroughput(all, outcomes);
   for (std::size_t p = 0; p < all.size(); ++p) {
     const Outcome& o = outcomes[p];
+    const bool turned = goes == 0 ? o.largeSurvive : goes < 0,
+               notTurned = goes == 0 ? o.smallSurvive : goes > 0;
     const Colour& c = all[p].throughput;
     const double q = o.survival;
     const bool oneBlack = std::min({c.x, c.y, c.z}) == 0.0f;
     const double others = q > 0.0 && q < 1.0 ? q / (1.0 - q) : o.mean;
-    exact.value(
-        "mean over u of survives * weight", o.mean, 1.0, allowedFor(o),
-        [&] {
-          return fmt::format("{}, where {:.6g} of all u survive, with the weight {:.6g}",
-                             all[p].text(), q, o.weight);
-        },
-        {q, q * q, o.largeSurvive && q < 1.0 ? -1.0 : others,
-         o.smallSurvive && q < 1.0 ? -1.0 : others, q / double{all[p].largest()},
-         q / double{all[p].mean()}, q / double{all[p].luminance()}, oneBlack ? 0.0 : 1.0, 0.0});
+    exact.value("mean over u of survives * weight", o.mean, 1.0, allowedFor(o),
+                [&] {
+                  return fmt::format("{}, where {:.6g} of all u survive, with the weight {:.6g}",
+                                     all[p].text(), q, o.weight);
+                },
+                {q, q * q, turned && q < 1.0 ? -1.0 : others, notTurned && q < 1.0 ? -1.0 : others,
+                 q / double{all[p].largest()}, q / double{all[p].mean()},
+                 q / double{all[p].luminance()}, oneBlack ? 0.0 : 1.0, 0.0});
   }
   Finding finding = exact.finding();
-  if (!finding.passed() && finding.cause.empty() && onlyCut(all, outcomes))
+  if (finding.passed() || !finding.cause.empty()) return finding;
+  finding.cause = causeOfNoSurvivors(all, outcomes);
+  if (finding.cause.empty() && onlyCut(all, outcomes))
     finding.cause =
         "dark paths always end: what they would still have carried is lost; let some of them "
         "survive, with a larger weight";
@@ -297,13 +334,14 @@ Finding meanIsOne(CheckRun& run) {
 
 Finding darkPathsEnd(CheckRun& run) {
   std::vector<Path> all = paths(run.seed);
-  std::erase_if(all, [](const Path& p) { return p.depth < 4 || p.largest() > 0.5f; });
+  std::erase_if(all, [](const Path& p) { return p.depth < kFirstEnding || p.largest() > 0.5f; });
   Exact exact;
   const std::vector<Outcome> outcomes = outcomesOf(run, all, exact);
-  bool neverEnds = true, unbounded = true;
+  bool neverEnds = true, unbounded = true, endsLater = true;
   for (std::size_t p = 0; p < all.size(); ++p) {
     const double q = outcomes[p].survival;
     neverEnds = neverEnds && q == 1.0;
+    endsLater = endsLater && (all[p].depth == kFirstEnding) == (q == 1.0);
     unbounded = unbounded && q <= std::max(0.95, 4.0 * double{all[p].largest()});
     const double slack = allowedFor(outcomes[p]) * q;
     exact.holds(
@@ -319,6 +357,10 @@ Finding darkPathsEnd(CheckRun& run) {
     finding.cause =
         "no path ever ends: the roulette is not written, or the probability is clamped from the "
         "wrong side";
+  else if (endsLater)
+    finding.cause = "at depth 4 no path ever ends: from depth 4 on means that 4 is one of them";
+  else if (const std::string cause = causeOfNoSurvivors(all, outcomes); !cause.empty())
+    finding.cause = cause;
   else if (unbounded && darkest)
     finding.cause =
         "the probability has no lower bound: survivors of dark paths get enormous weights";

@@ -58,10 +58,17 @@ std::vector<PhongMistake> phongMistakes(const MixtureCase& c) {
       [](Recipe& r) { r.uniformAngle = true; });
   add("cos(alpha) = t^(1/(m + 2)) instead of t^(1/(m + 1))",
       [&](Recipe& r) { r.power = 1.0 / (m + 2.0); });
-  if (m > 0.0) {
+  // Integers are asked for first, where these two show already. At 0.5, t^m is what an exponent of
+  // 1 gives.
+  const bool isInteger = m == std::floor(m);
+  if (isInteger && m > 0.0) {
     add("cos(alpha) = t^(1/m) instead of t^(1/(m + 1))", [&](Recipe& r) { r.power = 1.0 / m; });
     add("cos(alpha) = t^m instead of t^(1/(m + 1))", [&](Recipe& r) { r.power = m; });
   }
+  if (!isInteger)
+    add("the exponent is rounded down to an integer",
+        [&](Recipe& r) { r.power = 1.0 / (std::floor(m) + 1.0); });
+  if (m < 1.0) add("an exponent below 1 is taken for 1", [](Recipe& r) { r.power = 0.5; });
   return mistakes;
 }
 

@@ -32,6 +32,9 @@ std::vector<Case> cases() {
           {"Kd = 0, exponent 1", {kBlack, kKs, 1.0f}, false},
           {"Kd = 0, exponent 0", {kBlack, kKs, 0.0f}, false},
           {"no red", {{0.0f, 0.4f, 0.1f}, {0.0f, 0.0f, 0.5f}, 10.0f}, true},
+          {"red in both lobes, green and blue in one each",
+           {{0.3f, 0.4f, 0.0f}, {0.5f, 0.0f, 0.5f}, 10.0f},
+           true},
           {"both lobes, exponent 10", {kKd, kKs, 10.0f}, true},
           {"both lobes, exponent 2.5", {kKs, kKd, 2.5f}, true},
           {"Kd = Ks = 0", {kBlack, kBlack, 10.0f}, false}};
