@@ -10,14 +10,17 @@ namespace {
 
 constexpr const char* kFloatHint =
     "  Colours and vectors are of float: a number such as 3.14 is a double, and 3.14f is none.\n";
+constexpr const char* kHeaderHint =
+    "  A header of your own is not handed in: helpers stand in an unnamed namespace of each file "
+    "that uses them.\n";
 
 bool has(const std::string& line, const char* words) {
   return line.find(words) != std::string::npos;
 }
 
 bool beginsDiagnostic(const std::string& line) {
-  return has(line, ": error: ") || has(line, ": warning: ") || has(line, ": In ") ||
-         has(line, ": At global scope:");
+  return has(line, ": error: ") || has(line, ": fatal error: ") || has(line, ": warning: ") ||
+         has(line, ": In ") || has(line, ": At global scope:");
 }
 
 bool isCandidateOfLibrary(const std::string& line) {
@@ -32,6 +35,20 @@ bool mixesDoubleWithVector(const std::string& line) {
   return has(line, ": error: no match for ") && has(line, "glm::vec<") && has(line, "double");
 }
 
+// Not one of a library, which has a folder.
+bool lacksOwnHeader(const std::string& line) {
+  constexpr std::string_view kError = ": fatal error: ", kEnd = ": No such file or directory";
+  const std::size_t at = line.find(kError);
+  return at != std::string::npos && line.ends_with(kEnd) &&
+         line.find('/', at + kError.size()) == std::string::npos;
+}
+
+// What would help with the diagnostic that begins in this line.
+std::string_view hintFor(const std::string& line) {
+  if (mixesDoubleWithVector(line)) return kFloatHint;
+  return lacksOwnHeader(line) ? kHeaderHint : std::string_view{};
+}
+
 class Shortening {
  public:
   void add(const std::string& line) {
@@ -40,7 +57,7 @@ class Shortening {
       ++hidden_;
     } else if (beginsDiagnostic(line)) {
       endOfDiagnostic();
-      hint_ = mixesDoubleWithVector(line);
+      hint_ = hintFor(line);
     }
     // Belongs to what comes next.
     if (tellsWhereIncluded(line)) {
@@ -61,13 +78,15 @@ class Shortening {
     if (hidden_ > 0)
       text_ += fmt::format("  ({} function{} of libraries that {} not fit either)\n", hidden_,
                            hidden_ == 1 ? "" : "s", hidden_ == 1 ? "does" : "do");
-    if (hint_) text_ += kFloatHint;
-    hiding_ = hint_ = false;
+    text_ += hint_;
+    hiding_ = false;
     hidden_ = 0;
+    hint_ = {};
   }
 
   std::string text_, included_;
-  bool hiding_ = false, hint_ = false;
+  std::string_view hint_;
+  bool hiding_ = false;
   int hidden_ = 0;
 };
 

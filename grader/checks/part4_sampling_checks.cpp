@@ -111,11 +111,10 @@ struct Configuration {
 // specular lobe below the surface are seen for every exponent.
 std::vector<Configuration> configurations() {
   const Colour little(0.02f, 0.08f, 0.05f);
-  std::vector<Configuration> result{
-      {{kKd, kKs, 1.0f}, 1.0},
-      {{kBlack, kKs, 0.5f}, 1.0},
-      {{kKd, kBlack, 10.0f}, 0.6},
-      {{kKd, kKs, 10.0f}, 1.0}};
+  std::vector<Configuration> result{{{kKd, kKs, 1.0f}, 1.0},
+                                    {{kBlack, kKs, 0.5f}, 1.0},
+                                    {{kKd, kBlack, 10.0f}, 0.6},
+                                    {{kKd, kKs, 10.0f}, 1.0}};
   for (const float exponent : kExponents) {
     result.push_back({{kKd, kKs, exponent}, 0.6});
     result.push_back({{kBlack, kKs, exponent}, 0.4});

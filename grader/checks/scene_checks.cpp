@@ -90,11 +90,12 @@ std::string noiseInWords(std::vector<TileNoise> tiles, int rays) {
             [](const TileNoise& a, const TileNoise& b) { return a.deviation > b.deviation; });
   const TileNoise& worst = tiles.front();
   if (worst.deviation == 0.0) return "there is none";
+  const double median = tiles[tiles.size() / 2].deviation;
   return fmt::format(
-      "most of it is in the {}: with {} rays a pixel there is off by about {}, and in half of the "
-      "picture by less than {}",
+      "most of it is in the {}: with {} rays a pixel there is off by about {}, and {}",
       placeInWords(worst.x, worst.y), rays, percent(worst.deviation),
-      percent(tiles[tiles.size() / 2].deviation));
+      median == 0.0 ? "half of the picture has none"
+                    : fmt::format("in half of the picture by less than {}", percent(median)));
 }
 
 struct Rendered {

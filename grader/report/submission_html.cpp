@@ -21,16 +21,19 @@ using record::Verdict;
 
 constexpr std::size_t kLongestPrinted = 20000;
 
-// "Right: 14 of 23 functions. Wrong: 2. Not written: 1."
+// "14 of 23 functions that were looked at are right, 2 are not, 1 is not written; 1 file does not
+// compile."
 std::string standing(const SubmissionRecord& record) {
-  std::size_t all = 0, right = 0, faults = 0, unwritten = 0;
-  for (const PartRecord& part : record.parts)
+  std::size_t all = 0, right = 0, faults = 0, unwritten = 0, uncompiled = 0;
+  for (const PartRecord& part : record.parts) {
+    uncompiled += part.verdict == Verdict::kDoesNotCompile ? 1u : 0u;
     for (const FunctionRecord& function : part.functions) {
       ++all;
       right += function.verdict == Verdict::kOk ? 1u : 0u;
       faults += isFault(function.verdict) ? 1u : 0u;
       unwritten += function.verdict == Verdict::kNotWritten ? 1u : 0u;
     }
+  }
   if (all == 0) return {};
   const std::size_t others = all - right - faults - unwritten;
   std::string text = fmt::format("{} of {} functions that were looked at are right", right, all);
@@ -39,6 +42,8 @@ std::string standing(const SubmissionRecord& record) {
     text += fmt::format(", {} {} not written", unwritten, unwritten == 1 ? "is" : "are");
   if (others > 0)
     text += fmt::format(", {} {} blocked or undecided", others, others == 1 ? "is" : "are");
+  if (uncompiled > 0)
+    text += fmt::format("; {} file{} not compile", uncompiled, uncompiled == 1 ? " does" : "s do");
   return text + ".";
 }
 

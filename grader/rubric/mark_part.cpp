@@ -150,7 +150,7 @@ MarkLine PartMarker::markFunction(const FunctionContract& contract, double outOf
   reviewVerdict(function.verdict, line.what, toReview);
   if (function.mistake == diagnosis::kStub) {
     line.reason = sentence(creditOf(Verdict::kNotWritten, rubric)->reason +
-                           ": it answers as the empty stub does");
+                           ": it answers as the empty stub does, whatever it is asked");
   } else if (const std::optional<VerdictCredit> known = creditOf(function.verdict, rubric)) {
     line.points = known->credit * outOf;
     line.reason = part.hasFile() ? sentence(known->reason) : whyThereIsNoFile();

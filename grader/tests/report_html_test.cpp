@@ -115,6 +115,7 @@ TEST(SubmissionHtml, TellsEverythingThatIsKnown) {
                             "./pathmark grade ben.zip --seed 4711",
                             "<code>./pathmark check --seed 4711</code>",
                             "functions that were looked at are right",
+                            "; 1 file does not compile.",
                             "13 below the horizon"})
     EXPECT_NE(html.find(words), std::string::npos) << words;
   // Three pictures of parts 2 and 5 and of the whole, and one of the scene.

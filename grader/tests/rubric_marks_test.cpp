@@ -75,7 +75,8 @@ TEST_F(Marking, WhatAnswersAsTheStubEarnsNothing) {
   EXPECT_GT(lineOf(mark(), "6.1").points, 0.0);
   stub.mistake = diagnosis::kStub;
   EXPECT_EQ(lineOf(mark(), "6.1").points, 0.0);
-  expectReason(mark(), "6.1", "It is not written yet: it answers as the empty stub does.");
+  expectReason(mark(), "6.1",
+               "It is not written yet: it answers as the empty stub does, whatever it is asked.");
 }
 
 TEST_F(Marking, AMistakeCostsItsPartOnly) {

@@ -30,6 +30,17 @@ TEST(CompilerWords, LeaveOutTheFunctionsOfLibrariesThatDoNotFit) {
                 other);
 }
 
+TEST(CompilerWords, SayWhereHelpersBelongInsteadOfAHeader) {
+  const std::string lost =
+      "part5_path.cpp:2:10: fatal error: helpers.h: No such file or directory\n"
+      "    2 | #include \"helpers.h\"\n"
+      "compilation terminated.\n";
+  EXPECT_EQ(shortCompilerWords(lost),
+            lost +
+                "  A header of your own is not handed in: helpers stand in an unnamed namespace "
+                "of each file that uses them.\n");
+}
+
 TEST(CompilerWords, KeepTheNotesOfOnesOwnFile) {
   const std::string own =
       "a.cpp:7:1: error: no matching function for call to ‘f(int)’\n"
