@@ -113,9 +113,9 @@ void tell(const diagnosis::Diagnosis& diagnosis, FunctionResult& function) {
   function.diagnosis = diagnosis;
 }
 
-// The functions that are wrong are asked once more, as the known mistakes were: by a worker that has
-// been asked nothing before, since a mistake may be to keep something from one call to the next.
-// Throws WorkerStopped if it may not go on.
+// The functions that are wrong are asked once more, as the known mistakes were: by a worker that
+// has been asked nothing before, since a mistake may be to keep something from one call to the
+// next. Throws WorkerStopped if it may not go on.
 void diagnose(PartResult& part, CheckBench& bench) {
   const diagnosis::Catalogue& catalogue = diagnosis::shippedCatalogue();
   for (FunctionResult& function : part.functions) {

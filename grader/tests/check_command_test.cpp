@@ -57,7 +57,8 @@ TEST(CheckCommand, SaysOfAFailureWhereWhatWhyAndHowToRepeatIt) {
   const ProcessResult result = check({"3", "--with", copy.with()});
   EXPECT_EQ(result.exitCode, 1);
   expectHas(result, "WRONG       3.1  lambertianBRDF::brdf");
-  expectHas(result, "where      wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
+  expectHas(result,
+            "where      Kd = (0.9, 0.5, 0.2), wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
   expectHas(result, "expected   f (red) = 0.286479");
   expectHas(result, "got        f (red) = 0.9");
   expectHas(result, "likely     f = Kd, the 1/pi is forgotten");

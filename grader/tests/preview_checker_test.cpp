@@ -107,7 +107,8 @@ TEST_F(PreviewCheckerOfOnePart, TellsOfAMistakeWhatTheCommandTells) {
   const Report report = checkAll(*checker, copy.path(), 1).back();
   const CheckLine& line = lineOf(*report, F::kLambertianBrdf, "3.1/value");
   EXPECT_EQ(line.outcome, Outcome::kFail);
-  EXPECT_EQ(fieldOf(line, "where"), "wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
+  EXPECT_EQ(fieldOf(line, "where"),
+            "Kd = (0.9, 0.5, 0.2), wo = (0, 1, 0), wi = (0, 1, 0), n = (0, 1, 0)");
   EXPECT_EQ(fieldOf(line, "got"), "f (red) = 0.9");
   EXPECT_NE(line.found.find("\ngot f (red) = 0.9\n"), std::string::npos) << line.found;
   EXPECT_EQ(fieldOf(line, "likely"), "f = Kd, the 1/pi is forgotten");
