@@ -9,8 +9,9 @@
 
 namespace pathmark {
 
-// The camera ray of the next path meets this surface. With `dark`, the surface is not seen to emit
-// and no light is there to light it: what comes from it has been counted already.
+// The camera ray of the next path meets this surface. With `dark`, the surface is not seen to emit,
+// no light is there to light it, and what the first ray from it meets does not emit either: all that
+// has been counted already, however the path finds it.
 void beginWithSurface(const Hit& surface, bool dark);
 
 // The next path begins like any other.

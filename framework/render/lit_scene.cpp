@@ -21,7 +21,10 @@ thread_local CameraHits* cameraHits = nullptr;
 struct FirstSurface {
   Hit hit;
   bool waits = false;  // for the path to ask for it
-  bool dark = false;   // while a path is there that shall not see what lights it
+  bool dark = false;   // the path shall not see what lights it
+  bool left = false;   // by a ray that has been followed
+
+  bool lightIsHidden(const Hit& from) const { return dark && from.p == hit.p; }
 };
 thread_local FirstSurface first;
 
@@ -40,18 +43,28 @@ bool intersectFiltered(const SceneCore& core, const Ray& ray, Hit& hit) {
   return true;
 }
 
+bool intersectAnywhere(const SceneCore& core, const Ray& ray, Hit& hit) {
+  if (pathFilter != nullptr) return intersectFiltered(core, ray, hit);
+  ++rayCount;
+  if (cameraHits != nullptr && cameraHits->isNext(ray)) return cameraHits->take(hit);
+  return core.intersect(ray, hit);
+}
+
+void hideEmission(Hit& hit) {
+  hit.emission = Colour(0.0f);
+  hit.light = nullptr;
+}
+
 bool intersectSpecially(const SceneCore& core, const Ray& ray, Hit& hit) {
   if (std::exchange(first.waits, false)) {
     lookAgain();
     hit = first.hit;
     return true;
   }
-  first.dark = false;
-  lookAgain();
-  if (pathFilter != nullptr) return intersectFiltered(core, ray, hit);
-  ++rayCount;
-  if (cameraHits != nullptr && cameraHits->isNext(ray)) return cameraHits->take(hit);
-  return core.intersect(ray, hit);
+  const bool leavesDark = first.dark && !std::exchange(first.left, true);
+  if (!intersectAnywhere(core, ray, hit)) return false;
+  if (leavesDark) hideEmission(hit);
+  return true;
 }
 
 }  // namespace
@@ -71,11 +84,8 @@ void cameraHitsOfThisThread(CameraHits* hits) {
 }
 
 void beginWithSurface(const Hit& surface, bool dark) {
-  first = {surface, true, dark};
-  if (dark) {
-    first.hit.emission = Colour(0.0f);
-    first.hit.light = nullptr;
-  }
+  first = {surface, true, dark, false};
+  if (dark) hideEmission(first.hit);
   isPlain = false;
 }
 
@@ -92,14 +102,16 @@ bool LitScene::intersect(const Ray& ray, Hit& hit) const {
 }
 
 bool LitScene::visible(const Hit& from, const LightSample& to) const {
-  if (pathFilter != nullptr && !pathFilter->lightMayCome(from.p)) [[unlikely]]
-    return false;
+  if (!isPlain) [[unlikely]] {
+    if (first.lightIsHidden(from)) return false;
+    if (pathFilter != nullptr && !pathFilter->lightMayCome(from.p)) return false;
+  }
   ++rayCount;
   return core_->visible(from, to);
 }
 
 std::span<const Light> LitScene::lights() const {
-  if (first.dark) [[unlikely]]
+  if (first.dark && !first.left) [[unlikely]]
     return {};
   return core_->lights();
 }

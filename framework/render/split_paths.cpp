@@ -32,7 +32,10 @@ Colour SplitPaths::radiance(const Ray& cameraRay, int m, Sampler& sampler) {
   if (sharesDirectLight_) {
     beginWithSurface(surface, false);
     shared = direct_.tracePath(cameraRay, sampler);
-    if (scene_.maxBounces() <= 1) return shared;
+    if (scene_.maxBounces() <= 1) {
+      beginAnywhere();
+      return shared;
+    }
   }
   Colour sum(0.0f);
   for (int k = 0; k < pathsPerRay_; ++k) {

@@ -1,9 +1,8 @@
 // Renders of light path expressions: against closed forms, against scenes whose materials have one
 // lobe only, against each other, and with coursework that traces its paths in other ways.
 #include "film/compare.h"
-#include "host/build_config.h"
-#include "host/coursework_builder.h"
 #include "host/session.h"
+#include "solved/support/other_tracers.h"
 #include "solved/support/solutions.h"
 #include "support/test_coursework_files.h"
 #include "support/test_images.h"
@@ -170,105 +169,24 @@ TEST(LightPaths, ThatCannotBeTakeNoRay) {
   EXPECT_LT(rays("LDDE"), rays(""));
 }
 
-// The solutions with another part 5.
 class OtherTracer : public testing::Test {
  protected:
-  Coursework with(const std::string& tracePath) {
-    const fs::path project{build::kProjectFolder};
-    for (const PartContract& part : parts())
-      fs::copy_file(project / "solutions" / part.file, folder_.path() / part.file,
-                    fs::copy_options::overwrite_existing);
-    writeText(folder_ / "part5_path.cpp",
-              "#include <pathmark/coursework.h>\nnamespace pathmark {\n" + tracePath + "\n}\n");
-    const CourseworkBuild build = buildCoursework(folder_.path());
-    EXPECT_FALSE(build.worker.empty()) << build.failure();
-    return {"other", build.folder, build.worker};
-  }
-
   void expectSolutionsImage(const Coursework& coursework) {
     for (const char* paths : {"LD.*E", "L.*SDE|LE", "LDDE"}) {
       SCOPED_TRACE(paths);
       expectSame(noisy("cornell_phong", paths, 21, coursework), noisy("cornell_phong", paths, 22));
     }
   }
+  Coursework with(const char* tracePath) { return solutionsWith(tracePath, folder_.path()); }
 
   TemporaryFolder folder_;
 };
 
-constexpr const char* kDeepestFirst = R"(
-static Colour reflected(const LitScene& scene, const Hit& hit, const Vector& wo, Sampler& sampler,
-                        int depth) {
-  Colour indirect(0.0f);
-  if (depth < scene.maxBounces()) {
-    const vec2 st = sampler.next2D();
-    const DirectionSample next = hit.brdf->reflection(wo, hit.n, st.x, st.y, sampler.next1D());
-    Hit nextHit;
-    if (next.pdf > 0.0f && scene.intersect(hit.spawnRay(next.wi), nextHit))
-      indirect = hit.brdf->brdf(wo, next.wi, hit.n) * (dot(hit.n, next.wi) / next.pdf) *
-                 reflected(scene, nextHit, -next.wi, sampler, depth + 1);
-  }
-  return indirect + scene.directLighting(hit, wo, sampler);
-}
-Colour LitScene::tracePath(const Ray& ray, Sampler& sampler) const {
-  Hit hit;
-  if (!intersect(ray, hit)) return Colour(0.0f);
-  const Colour back = reflected(*this, hit, -ray.direction, sampler, 1);
-  return back + hit.emitted(-ray.direction);
-})";
-
 TEST_F(OtherTracer, ThatAsksForDirectLightLastGivesTheSameImage) {
-  expectSolutionsImage(with(kDeepestFirst));
+  expectSolutionsImage(with(kDirectLightLast));
 }
-
-constexpr const char* kBranching = R"(
-static Colour reflected(const LitScene& scene, const Hit& hit, const Vector& wo, Sampler& sampler,
-                        int depth) {
-  Colour radiance = scene.directLighting(hit, wo, sampler);
-  if (depth == scene.maxBounces()) return radiance;
-  const int branches = depth < 3 ? 2 : 1;
-  Hit hits[2];
-  bool met[2];
-  Vector directions[2];
-  Colour factors[2];
-  for (int k = 0; k < branches; ++k) {
-    const vec2 st = sampler.next2D();
-    const DirectionSample next = hit.brdf->reflection(wo, hit.n, st.x, st.y, sampler.next1D());
-    directions[k] = next.wi;
-    met[k] = next.pdf > 0.0f && scene.intersect(hit.spawnRay(next.wi), hits[k]);
-    if (met[k])
-      factors[k] = hit.brdf->brdf(wo, next.wi, hit.n) *
-                   (dot(hit.n, next.wi) / (next.pdf * static_cast<float>(branches)));
-  }
-  for (int k = 0; k < branches; ++k)
-    if (met[k])
-      radiance += factors[k] * reflected(scene, hits[k], -directions[k], sampler, depth + 1);
-  return radiance;
-}
-Colour LitScene::tracePath(const Ray& ray, Sampler& sampler) const {
-  Hit hit;
-  if (!intersect(ray, hit)) return Colour(0.0f);
-  return hit.emitted(-ray.direction) + reflected(*this, hit, -ray.direction, sampler, 1);
-})";
 
 TEST_F(OtherTracer, WhosePathsBranchGivesTheSameImage) { expectSolutionsImage(with(kBranching)); }
-
-constexpr const char* kLightsByChance = R"(
-Colour LitScene::tracePath(const Ray& cameraRay, Sampler& sampler) const {
-  Colour radiance(0.0f), throughput(1.0f);
-  Ray ray = cameraRay;
-  Hit hit;
-  for (int depth = 0; intersect(ray, hit); ++depth) {
-    const Vector wo = -ray.direction;
-    radiance += throughput * hit.emitted(wo);
-    if (depth == maxBounces()) break;
-    const vec2 st = sampler.next2D();
-    const DirectionSample next = hit.brdf->reflection(wo, hit.n, st.x, st.y, sampler.next1D());
-    if (next.pdf == 0.0f) break;
-    throughput *= hit.brdf->brdf(wo, next.wi, hit.n) * (dot(hit.n, next.wi) / next.pdf);
-    ray = hit.spawnRay(next.wi);
-  }
-  return radiance;
-})";
 
 TEST_F(OtherTracer, ThatFindsLightsByChanceGivesTheSameImage) {
   expectSolutionsImage(with(kLightsByChance));

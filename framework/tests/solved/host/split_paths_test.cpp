@@ -1,5 +1,6 @@
 // Several paths for each camera ray: the same picture as with one, with less noise and fewer rays.
 #include "solved/support/noisy_render.h"
+#include "solved/support/other_tracers.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,19 @@ TEST(SplitPaths, GoWithEverySampler) {
       wish.sampler = sampler;
       expectSameAsTracePath(wish);
     }
+}
+
+TEST(SplitPaths, GoWithEveryWayOfFindingDirectLight) {
+  const TemporaryFolder folder;
+  for (const char* tracePath : {kDirectLightLast, kLightsByChance}) {
+    const Coursework coursework = solutionsWith(tracePath, folder.path());
+    for (const bool shares : {false, true}) {
+      SCOPED_TRACE(shares);
+      NoisyRender wish = split("cornell_box", 4, shares);
+      wish.coursework = &coursework;
+      expectSameAsTracePath(wish);
+    }
+  }
 }
 
 TEST(SplitPaths, GoWithLightPathExpressions) {

@@ -26,6 +26,7 @@ struct NoisyRender {
   int width = 24, height = 24;
   std::uint64_t seed = 1;
   std::uint32_t threads = 2;
+  const Coursework* coursework = nullptr;  // none: the solutions
 };
 
 inline RenderedImage rendered(const NoisyRender& wish) {
@@ -43,7 +44,7 @@ inline RenderedImage rendered(const NoisyRender& wish) {
   options.estimator = wish.estimator;
   options.sharing = wish.sharing;
   if (!wish.paths.empty()) options.paths = PathExpression(wish.paths);
-  return renderScene(solutions(), scene, options).rendered;
+  return renderScene(wish.coursework ? *wish.coursework : solutions(), scene, options).rendered;
 }
 
 // Chance of one comparison to fail what is right.
@@ -54,6 +55,7 @@ inline Image byTracePath(const NoisyRender& wish, std::uint64_t timesTheRays) {
   NoisyRender plain = wish;
   plain.estimator = Estimator::kPath;
   plain.sharing = {};
+  plain.coursework = nullptr;
   plain.seed = wish.seed + 1;
   plain.rays = timesTheRays * wish.rays;
   return rendered(plain).image;
