@@ -46,12 +46,13 @@ PlanLine triangles(const Plan& plan, const FlatSceneView& scene) {
       return {"triangles",
               fmt::format("{} as {}, a flat loop of {}", scene.triangles.size(),
                           pairsAndSingles(pairs), counted(stepsFor(pairs.size()), "step", "steps")),
-              fmt::format("{}; from {} triangles on a hierarchy is faster", lanes(),
+              fmt::format("{}; from {} pairs and singles on a hierarchy is faster", lanes(),
                           kFewestForHierarchy)};
     }
     case TriangleTest::kHierarchy:
       return {"triangles", fmt::format("{} in Embree's hierarchy", scene.triangles.size()),
-              fmt::format("below {} triangles a flat loop is faster", kFewestForHierarchy)};
+              fmt::format("below {} pairs and single triangles a flat loop is faster",
+                          kFewestForHierarchy)};
     case TriangleTest::kNone:
       break;
   }

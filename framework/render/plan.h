@@ -13,9 +13,9 @@
 
 namespace pathmark {
 
-// From this many triangles on Embree's hierarchy answers the rays of a render faster than the flat
-// loop does: `pathmark bench rays` measures it.
-inline constexpr std::size_t kFewestForHierarchy = 128;
+// From this many pairs and single triangles on Embree's hierarchy makes a render faster than the
+// flat loop does: `pathmark bench skip --rooms` measures it.
+inline constexpr std::size_t kFewestForHierarchy = 112;
 
 enum class TriangleTest { kNone, kFlatLoop, kHierarchy };
 

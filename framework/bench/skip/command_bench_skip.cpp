@@ -5,6 +5,7 @@
 #include "bench/machine.h"
 #include "bench/progress.h"
 #include "bench/report_file.h"
+#include "bench/skip/box_room.h"
 #include "bench/skip/edited_coursework.h"
 #include "bench/skip/render_pair.h"
 #include "bench/stress/coarse_blob.h"
@@ -23,6 +24,7 @@
 #include <array>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <span>
 
 namespace pathmark::bench {
@@ -34,7 +36,7 @@ struct BenchSkipArguments {
   std::string with = solvedCoursework();
   std::string json;
   int rounds = 15;
-  bool quick = false;
+  bool quick = false, rooms = false;
 };
 
 struct SkipLine {
@@ -125,12 +127,16 @@ std::vector<std::uint64_t> raysWithoutEmptyTiles(const LoadedScene& scene, std::
   return byTile;
 }
 
+int sideOf(const BenchSkipArguments& arguments) { return arguments.quick ? 32 : 64; }
+
 class SkipBench {
  public:
   SkipBench(const BenchSkipArguments& arguments, Coursework coursework, std::size_t scenes)
       : coursework_(std::move(coursework)),
         plan_{arguments.quick ? 16u : 64u, arguments.rounds},
-        progress_("bench skip", static_cast<double>(scenes * (kSkips.size() + 3))),
+        side_(sideOf(arguments)),
+        progress_("bench skip", static_cast<double>(scenes * (kSkips.size() + 3) +
+                                                    (arguments.rooms ? kBoxes.size() : 0))),
         report_{.command = "bench skip", .machine = machineLine(), .tables = {}, .figures = {}} {
     const std::vector<Column> columns{
         {"scene", "scene"},      {"what", "left out"}, {"ratio", "time without", 3},
@@ -144,6 +150,13 @@ class SkipBench {
                    .columns = columns,
                    .rows = {}};
     candidates_.columns[2].title = "time now";
+    rooms_ = {.key = "rooms",
+              .title = "Rooms of boxes: CPU time through a hierarchy, over that in a flat loop",
+              .columns = {{"pairs", "pairs of triangles", 0},
+                          {"ratio", "time through a hierarchy", 3},
+                          {"low", "quartiles", 3},
+                          {"high", "", 3}},
+              .rows = {}};
     // The shadow ray comes first.
     alwaysShadow_ = EditedCoursework::make(
         coursework_,
@@ -192,10 +205,38 @@ class SkipBench {
     }
   }
 
+  // From how many triangles on the hierarchy is faster.
+  void measureRooms() {
+    progress_.clear();
+    rooms_.printHead();
+    double below = 0.0, ratioBelow = 0.0;
+    std::optional<double> crossover;
+    for (const int boxes : kBoxes) {
+      progress_.show(fmt::format("a room of {} boxes", boxes));
+      const PairResult r =
+          renderInTurn(boxRoom(boxes, side_), {coursework_, Skips().without(Skip::kLoopOverMany)},
+                       {coursework_, Skips().without(Skip::kHierarchyOfFew)}, plan_);
+      const double pairs = pairsInBoxRoom(boxes);
+      progress_.clear();
+      rooms_.add({pairs, r.ratio, r.low, r.high});
+      progress_.advance(1.0);
+      if (!crossover && r.ratio <= 1.0 && below > 0.0)
+        crossover = below + (pairs - below) * (ratioBelow - 1.0) / (ratioBelow - r.ratio);
+      below = pairs;
+      ratioBelow = r.ratio;
+    }
+    if (crossover)
+      report_.figures.push_back({.key = "crossover",
+                                 .name = "pairs and single triangles for which both take as long",
+                                 .value = *crossover,
+                                 .note = fmt::format("renders take the flat loop for fewer than {}",
+                                                     kFewestForHierarchy)});
+  }
+
   // Returns whether all pictures were the same.
   bool conclude(const std::string& json) {
     progress_.clear();
-    report_.tables = {skips_, candidates_};
+    report_.tables = {skips_, candidates_, rooms_};
     report_.figures.push_back({.key = "different",
                                .name = "renders whose picture depends on a skip",
                                .value = different_,
@@ -215,17 +256,20 @@ class SkipBench {
     table.add({scene.name, what, result.ratio, result.low, result.high, sameness(result)});
   }
 
+  static constexpr std::array kBoxes{4, 9, 14, 20, 28, 40};
+
   Coursework coursework_;
   PairPlan plan_;
+  int side_;
   Progress progress_;
   Report report_;
-  Table skips_, candidates_;
+  Table skips_, candidates_, rooms_;
   std::unique_ptr<EditedCoursework> alwaysShadow_, noShadowOfBlack_;
   double different_ = 0.0;
 };
 
 std::vector<LoadedScene> load(const BenchSkipArguments& arguments) {
-  const int side = arguments.quick ? 32 : 64;
+  const int side = sideOf(arguments);
   SceneOverrides overrides;
   overrides.size = {side, side};
   std::vector<LoadedScene> scenes;
@@ -251,6 +295,7 @@ int measureAll(const BenchSkipArguments& arguments) {
     SkipBench bench(arguments, prepareCoursework(arguments.with), scenes.size());
     bench.measureSkips(scenes);
     bench.measureCandidates(scenes);
+    if (arguments.rooms) bench.measureRooms();
     return bench.conclude(arguments.json) ? kSuccess : kCourseworkFault;
   } catch (const Interrupted&) {
     fmt::print(stderr, "Interrupted: no JSON was written.\n");
@@ -273,12 +318,16 @@ void addBenchSkipCommand(CLI::App& bench, CommandAction& action) {
   takesWholeNumber(command->add_option("--rounds", arguments->rounds,
                                        "Renders of each kind, in turn (default: 15)"),
                    3, 1000);
+  command->add_flag("--rooms", arguments->rooms,
+                    "Also rooms of more and more boxes: from how many triangles on a hierarchy is "
+                    "faster than a loop");
   command->add_flag("--quick", arguments->quick, "Small pictures: whether all of it works");
   addJsonOption(*command, arguments->json);
   command->footer(
       "Examples:\n"
       "  ./pathmark bench skip\n"
       "  ./pathmark bench skip cornell_box --rounds 51\n"
+      "  ./pathmark bench skip cornell_box --rooms\n"
       "  ./pathmark bench skip blob furnace --json skip.json\n"
       "  ./pathmark render cornell_box --explain     what is left out in a scene, and why\n\n"
       "Each render is made with a skip and without it, in turn, by one thread with the same "

@@ -36,6 +36,24 @@ TEST(Plan, ChoosesByTheNumberOfTriangles) {
   EXPECT_EQ(chosen(kFewestForHierarchy, 0), TriangleTest::kHierarchy);
 }
 
+// The loop meets two triangles that make a quad as one.
+TEST(Plan, CountsPairsOfTrianglesOnce) {
+  const auto chosen = [](std::size_t pairs, Skips skips = {}) {
+    RandomNumbers random(22);
+    ShapeScene scene;
+    for (std::size_t k = 0; k < pairs; ++k) {
+      const vec3 a = random.inCube(1.0f), v1 = random.inCube(0.4f), v2 = random.inCube(0.4f);
+      scene.addTriangle(a, a + v1, a + v1 + v2);
+      scene.addTriangle(a, a + v1 + v2, a + v2);
+    }
+    return planFor(scene.view(), ShadowOrigins::kSurfaces, skips).triangles;
+  };
+  EXPECT_EQ(chosen(kFewestForHierarchy - 1), TriangleTest::kFlatLoop);
+  EXPECT_EQ(chosen(kFewestForHierarchy), TriangleTest::kHierarchy);
+  EXPECT_EQ(chosen(kFewestForHierarchy - 1, Skips().without(Skip::kSecondTriangles)),
+            TriangleTest::kHierarchy);
+}
+
 TEST(Plan, LeavesOutNothingThatASwitchKeeps) {
   const ShapeScene few = randomScene(20, 3), many = randomScene(kFewestForHierarchy, 3);
   const auto without = [](const ShapeScene& scene, Skip skip) {
