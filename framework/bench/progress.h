@@ -14,6 +14,10 @@ class Progress {
   Progress(std::string title, double steps) : bar_(std::move(title)), steps_(steps) {}
 
   void show(std::string_view what) { bar_.show(done_ / steps_, what); }
+  // While the next `steps` are made, of which this share is done.
+  void show(std::string_view what, double share, double steps) {
+    bar_.show((done_ + share * steps) / steps_, what);
+  }
   void advance(double steps) { done_ += steps; }
   void clear() { bar_.clear(); }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -73,6 +74,24 @@ void ProgressBar::printAbove(std::string_view text) {
   if (shown_) clear();
   std::fwrite(text.data(), 1, text.size(), stderr);
   lineOpen_ = !text.empty() && text.back() != '\n';
+}
+
+std::optional<LoggedProgress> lastProgressIn(std::string_view log) {
+  std::optional<LoggedProgress> last;
+  while (!log.empty()) {
+    const std::string_view line = log.substr(0, log.find('\n'));
+    log.remove_prefix(std::min(line.size() + 1, log.size()));
+    const std::size_t colon = line.find(": "), percent = line.find('%');
+    if (colon == std::string_view::npos || percent == std::string_view::npos) continue;
+    int whole = 0;
+    const char* const end = line.data() + percent;
+    const auto [stopped, error] = std::from_chars(line.data() + colon + 2, end, whole);
+    if (error != std::errc{} || stopped != end || whole < 0 || whole > 100) continue;
+    std::string_view what = line.substr(percent + 1);
+    if (what.starts_with(", ")) what.remove_prefix(2);
+    last = {0.01 * whole, std::string(what)};
+  }
+  return last;
 }
 
 }  // namespace pathmark

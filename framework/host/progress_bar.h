@@ -1,10 +1,12 @@
 // ProgressBar: one line on a terminal that says how far a command is. Elsewhere, as in the log of a
-// long job, a line of its own each minute, so that short commands print none.
+// long job, a line of its own each minute, so that short commands print none; a command that runs
+// others reads those.
 #pragma once
 
 #include "host/render_loop.h"
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,5 +39,13 @@ class ProgressBar {
   bool shown_ = false;
   bool lineOpen_ = false;
 };
+
+// What the last line of a ProgressBar says, in the log of a command.
+struct LoggedProgress {
+  double fraction;
+  std::string what;
+};
+
+std::optional<LoggedProgress> lastProgressIn(std::string_view log);
 
 }  // namespace pathmark

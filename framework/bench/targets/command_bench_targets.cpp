@@ -62,7 +62,9 @@ class TargetsBench {
     for (const Part& part : parts()) {
       const std::string line = fmt::format("bench {}", fmt::join(part.words, " "));
       progress_.show(line);
-      take(line, ownReport(part.words, folder_.path()));
+      take(line, ownReport(part.words, folder_.path(), [&](const LoggedProgress& own) {
+             progress_.show(fmt::format("{}, {}", line, own.what), own.fraction, part.seconds);
+           }));
       progress_.advance(part.seconds);
     }
     const std::size_t before = report_.figures.size();

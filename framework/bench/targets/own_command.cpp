@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -32,6 +34,17 @@ double untilSaid(const fs::path& file, std::string_view words, const std::stop_t
   while (!ended.stop_requested() && contentsOf(file).find(words) == std::string::npos)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   return std::chrono::duration<double>(Clock::now() - started).count();
+}
+
+// Each second, until it is to end.
+void relayProgress(const fs::path& log, const std::function<void(const LoggedProgress&)>& show,
+                   const std::stop_token& ended) {
+  std::mutex mutex;
+  std::condition_variable_any ending;
+  std::unique_lock lock(mutex);
+  while (!ending.wait_for(lock, ended, std::chrono::seconds(1),
+                          [&] { return ended.stop_requested(); }))
+    if (const auto progress = lastProgressIn(contentsOf(log))) show(*progress);
 }
 
 [[noreturn]] void fail(const std::vector<std::string>& arguments, const OwnRun& run,
@@ -59,12 +72,17 @@ OwnRun runOwn(const std::vector<std::string>& arguments, const fs::path& log,
   return run;
 }
 
-nlohmann::ordered_json ownReport(std::vector<std::string> arguments, const fs::path& scratch) {
+nlohmann::ordered_json ownReport(std::vector<std::string> arguments, const fs::path& scratch,
+                                 const std::function<void(const LoggedProgress&)>& show) {
   const fs::path file = scratch / "report.json";
   arguments.insert(arguments.begin(), "bench");
   arguments.insert(arguments.end(), {"--json", file.string()});
   const fs::path log = scratch / "log.txt";
-  const OwnRun run = runOwn(arguments, log);
+  const OwnRun run = [&] {
+    const std::jthread relay(
+        [&](const std::stop_token& ended) { relayProgress(log, show, ended); });
+    return runOwn(arguments, log);
+  }();
   if (run.usage.exitCode != kSuccess) fail(arguments, run, log);
   return nlohmann::ordered_json::parse(contentsOf(file));
 }

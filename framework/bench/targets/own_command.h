@@ -6,10 +6,12 @@
 #pragma once
 
 #include "bench/child_process.h"
+#include "host/progress_bar.h"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +28,10 @@ struct OwnRun {
 OwnRun runOwn(const std::vector<std::string>& arguments, const std::filesystem::path& log,
               std::string_view words = "\n");
 
-// In the folder `scratch`. Throws CourseworkError if it fails for any reason, and Interrupted.
+// In the folder `scratch`. From another thread `show` is told how far it is. Throws CourseworkError
+// if it fails for any reason, and Interrupted.
 nlohmann::ordered_json ownReport(std::vector<std::string> arguments,
-                                 const std::filesystem::path& scratch);
+                                 const std::filesystem::path& scratch,
+                                 const std::function<void(const LoggedProgress&)>& show);
 
 }  // namespace pathmark::bench

@@ -28,5 +28,17 @@ TEST(ProgressBar, InALogHasLinesOfItsOwn) {
 
 TEST(ProgressBar, InALogIsSilentUntilAMinuteHasPassed) { EXPECT_EQ(shownInALog(1min), ""); }
 
+TEST(ProgressBar, OfAnotherCommandIsReadFromItsLog) {
+  const auto read = lastProgressIn("a table: 7%x\n" + shownInALog(0s) + "warning: 3 of 4\n");
+  ASSERT_TRUE(read);
+  EXPECT_DOUBLE_EQ(read->fraction, 1.0);
+  EXPECT_EQ(read->what, "bob");
+}
+
+TEST(ProgressBar, IsNotReadFromOtherLines) {
+  EXPECT_FALSE(lastProgressIn(""));
+  EXPECT_FALSE(lastProgressIn("s1: off by 0.2 %\nmean: -3%\nnoise: 400%\n50%: x\nno: %\n"));
+}
+
 }  // namespace
 }  // namespace pathmark
