@@ -19,10 +19,11 @@ class BRDF {
   // (their dot product with n is positive).
   virtual Colour brdf(const Vector& wo, const Vector& wi, const Vector& n) const = 0;
 
-  // The density with which `reflection(wo, n, ...)` returns wi.
+  // The density with which `reflection(wo, n, ...)` returns wi, >= 0.
   virtual float pdf(const Vector& wo, const Vector& wi, const Vector& n) const = 0;
 
-  // A direction wi drawn for the given wo, with the density pdf(wo, wi, n). s, t, u in [0,1).
+  // A direction wi drawn for the given wo, with the density pdf(wo, wi, n). s, t, u in [0,1). The
+  // density 0 says that there is none; wi may lie below the surface, where brdf is 0.
   virtual DirectionSample reflection(const Vector& wo, const Vector& n, float s, float t,
                                      float u) const = 0;
 };

@@ -20,7 +20,8 @@ class SimpleCamera {
         height_(height) {}
 
   // The film point (x, y), in pixels from the top left corner of the image, x to the right and
-  // y downwards, is seen from the eye along the vector topLeft + x pixelRight + y pixelDown.
+  // y downwards, is seen from the eye along the vector topLeft + x pixelRight + y pixelDown:
+  // lengths of the scene, at no particular distance.
   const Point& eye() const { return eye_; }
   const Vector& topLeft() const { return topLeft_; }
   const Vector& pixelRight() const { return pixelRight_; }
@@ -30,8 +31,8 @@ class SimpleCamera {
   int height() const { return height_; }
 
   // Part 1. The ray from the eye through the film point (i + (k + s)/n, j + (l + t)/n); unit
-  // direction. Pixel column i, row j; stratum column k, row l of n x n; 0 <= k, l < n, n >= 1;
-  // s, t in [0,1).
+  // direction. Pixel column i, row j, 0 <= i < width(), 0 <= j < height(); stratum column k, row l
+  // of n x n; 0 <= k, l < n, n >= 1; s, t in [0,1).
   Ray StratifiedRandomRay(int i, int j, int k, int l, int n, float s, float t) const;
 
  private:

@@ -25,7 +25,7 @@ struct LocalDirection {
 
 class Frame {
  public:
-  // n: unit length. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017:
+  // n: unit length; U x V = N. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017:
   // no branch and no loss of accuracy for any n, also next to an axis.
   explicit Frame(const Vector& n) : n_(n) {
     const float sign = std::copysign(1.0f, n.z);
@@ -35,6 +35,7 @@ class Frame {
     v_ = {b, sign + n.y * n.y * a, -n.y};
   }
 
+  // Both are linear and keep lengths and angles; the argument may have any length.
   Vector toWorld(const LocalDirection& d) const { return d.x * u_ + d.y * n_ + d.z * v_; }
   LocalDirection toLocal(const Vector& d) const { return {dot(d, u_), dot(d, n_), dot(d, v_)}; }
 

@@ -40,7 +40,8 @@ struct Hit {
 
   // The ray that leaves the surface here towards wi. Its origin is moved off the surface by a
   // little more than the rounding error of p (Waechter & Binder, Ray Tracing Gems, chapter 6),
-  // so that it does not meet the same surface again: no epsilon is needed anywhere else.
+  // so that it does not meet the same surface again: no epsilon is needed anywhere else. It starts
+  // on the front where dot(wi, n) >= 0, and else on the back.
   Ray spawnRay(const Vector& wi) const;
 };
 
@@ -51,17 +52,17 @@ class Light {
 
   // A point of the light chosen for lighting the point `from`, by the function of part 2 that
   // belongs to its shape; n is the normal of the emitting side; density per unit area. The
-  // density 0 says that the light sends nothing to `from` by this sample.
+  // density 0 says that the light sends nothing to `from` by this sample. s, t in [0,1).
   LightSample sample(const Point& from, float s, float t) const;
 
   // The density per unit area with which `sample(from, ...)` returns the point at.p, where a ray
   // has met this light (at.light is it): 0 where it never does. For bonus part 8.
   float pdf(const Point& from, const Hit& at) const;
 
-  // Roughly the irradiance that the light causes at the point x of a surface with normal n, if
-  // nothing lies between: its emission, as a mean over the channels, times area and cosines over
-  // the squared distance, seen as from its centre. It is 0 only where the light causes none, so
-  // that lights may be chosen in proportion to it.
+  // Roughly the irradiance (W m^-2) that the light causes at the point x of a surface with the unit
+  // normal n, if nothing lies between: its emission, as a mean over the channels, times area and
+  // cosines over the squared distance, seen as from its centre, and at most pi times the emission.
+  // It is 0 only where the light causes none, so that lights may be chosen in proportion to it.
   float roughIrradiance(const Point& x, const Vector& n) const;
 
   struct Face {
@@ -76,8 +77,9 @@ class Light {
     Face(const Polygon& face, float cumulative, bool bySolidAngle);
   };
 
+  // At least one face; they must outlive the light.
   Light(std::span<const Face> faces, const Colour& emission);
-  // `seenThrough`: rays pass through the sphere's back.
+  // `inward`: the front is the inside. `seenThrough`: rays pass through the sphere's back.
   Light(const Sphere& sphere, bool inward, bool seenThrough, const Colour& emission);
 
  private:
@@ -95,12 +97,16 @@ class LitScene {
  public:
   LitScene(const SceneCore& core, int maxBounces) : core_(&core), maxBounces_(maxBounces) {}
 
-  // The nearest surface along the ray: returns whether there is one, and then sets `hit`.
+  // The nearest surface along the ray, whose direction has unit length: returns whether there is
+  // one, and then sets `hit`. A ray that is not finite meets nothing.
   bool intersect(const Ray& ray, Hit& hit) const;
 
-  // Whether nothing lies between `from` and the point `to` of a light.
+  // Whether nothing lies between `from` and the point `to` of a light, which it is looked at from
+  // the side of to.n. `from` is as intersect has set it, to.n has unit length.
   bool visible(const Hit& from, const LightSample& to) const;
 
+  // All lights, in the same order in all calls for a path; there may be none. They last as long as
+  // the scene.
   std::span<const Light> lights() const;
 
   // The largest number of scattering events on a path, B >= 0: with 0 only the light that comes
@@ -115,7 +121,8 @@ class LitScene {
 
   // Part 2. The radiance that leaves `hit` towards wo after exactly one scattering event: the sum
   // over the lights of an estimate of the integral of Le f V G over the light's area, with
-  // G = cos(theta_x) cos(theta_y) / r^2.
+  // G = cos(theta_x) cos(theta_y) / r^2. wo: unit length, away from the surface; 0 towards the
+  // back.
   Colour directLighting(const Hit& hit, const Vector& wo, Sampler& sampler) const;
 
   // Part 5. The radiance that comes back along a camera ray: an unbiased estimate, with one

@@ -7,7 +7,8 @@
 // A number may be 0 and is never 1; the largest is 1 - 2^-24. The numbers of one ray are used in
 // the order in which they are asked for, singles and pairs each in theirs: the k-th pair of every
 // ray is one set of points, spread evenly over the square, and so is the k-th single over the
-// interval. Use a pair for what belongs together, such as a point on a light.
+// interval. A sampler belongs to one thread. Use a pair for what belongs together, such as a point
+// on a light.
 #pragma once
 
 #include <pathmark/types.h>
@@ -22,7 +23,8 @@ class Sampler {
   virtual ~Sampler() = default;
 
   // Starts the numbers of the m-th ray of this renderPixel call, m = 0, 1, 2, ... Rays that
-  // earlier passes made for the same pixel are counted by the framework, not by the caller.
+  // earlier passes made for the same pixel are counted by the framework, not by the caller. Numbers
+  // that are taken before the first call belong to no ray.
   virtual void startRay(int m) = 0;
 
   float next1D() {

@@ -5,8 +5,8 @@
 //             SphericalRectangleSampling, SphericalRectanglePdf          (part 9, bonus)
 //   Sphere    sample, pdf                                                (part 2)
 //
-// All densities are per unit area. A polygon's front is the side from which its vertices run
-// counter-clockwise; a sphere's normal points outwards.
+// s, t in [0,1). All densities are per unit area. A polygon's front is the side from which its
+// vertices run counter-clockwise; a sphere's normal points outwards.
 #pragma once
 
 #include <pathmark/types.h>
@@ -17,7 +17,8 @@
 namespace pathmark {
 
 // A simple planar polygon, convex or not, with at least three vertices. The vertices and the
-// triangulation belong to the scene; a Polygon only looks at them.
+// triangulation belong to the scene; a Polygon only looks at them. `normal` has unit length and
+// points to the side from which the vertices run counter-clockwise.
 class Polygon {
  public:
   using TriangleIndices = std::array<unsigned, 3>;
@@ -27,12 +28,14 @@ class Polygon {
       : vertices_(vertices), triangles_(triangles), normal_(normal) {}
 
   int vertexCount() const { return static_cast<int>(vertices_.size()); }
+  // 0 <= i < vertexCount().
   const Point& p(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
 
   // Unit normal of the front.
   const Vector& normal() const { return normal_; }
 
-  // Triangles that cover the polygon exactly once, each with the polygon's orientation.
+  // Triangles that cover the polygon exactly once, each with the polygon's orientation; at least
+  // one, 0 <= k < triangleCount().
   int triangleCount() const { return static_cast<int>(triangles_.size()); }
   std::array<Point, 3> triangle(int k) const {
     const TriangleIndices& t = triangles_[static_cast<std::size_t>(k)];
@@ -44,7 +47,8 @@ class Polygon {
   LightSample TriangularSampling(float s, float t) const;
 
   // Part 2. The point p0 + s v1 + t v2 of the parallelogram with edges v1 = p1 - p0 and
-  // v2 = p3 - p0 (p2 - p1 for the fourth side), and its density 1 / |v1 x v2|. Ibid.
+  // v2 = p3 - p0 (p2 - p1 for the fourth side), and its density 1 / |v1 x v2|, of a polygon with
+  // four vertices. Ibid.
   LightSample RectangularSampling(float s, float t) const;
 
   // Part 2. A point uniform by area on the whole polygon, and its density 1 / area.
@@ -58,7 +62,7 @@ class Polygon {
   LightSample SphericalTriangleSampling(const Point& from, float s, float t) const;
 
   // Part 9, bonus. The density per unit area with which SphericalTriangleSampling(from, ...)
-  // returns the point p of the triangle.
+  // returns the point p of the triangle: 0 where `from` lies behind it or in its plane.
   float SphericalTrianglePdf(const Point& from, const Point& p) const;
 
   // Part 9, bonus. The same for the rectangle with the edges v1 = p1 - p0 and v2 = p3 - p0, at
@@ -74,6 +78,7 @@ class Polygon {
 
 class Sphere {
  public:
+  // radius > 0.
   Sphere(const Point& centre, float radius) : centre_(centre), radius_(radius) {}
 
   const Point& centre() const { return centre_; }

@@ -2,7 +2,8 @@
 //
 // It leaves a record in a section of the worker program, so that `status`, `check` and the
 // preview know an unwritten function by this marker and not by the value that it returns. Take
-// the line away when the function is written.
+// the line away when the function is written. Both names are literals of at most 63 characters;
+// `function` is as the contract has it, "LitScene::tracePath".
 #pragma once
 
 namespace pathmark {

@@ -1,7 +1,7 @@
 // Part 0, the warm-up: path tracing in a mesh of triangles, all by yourself.
 //
 //   Triangle, Mesh                  the scene
-//   ray_triangle_intersection       nearest hit with one triangle        (you write it)
+//   ray_triangle_intersection       where a ray hits one triangle        (you write it)
 //   ray_mesh_intersection           nearest hit with all of them         (you write it)
 //   get_random_numbers              PCG2D                                (you write it)
 //   sample_sphere                   uniform on the sphere                (you write it)
@@ -36,6 +36,7 @@ inline constexpr int MAX_PATH_LENGTH = 5;
 
 // The ray from `point` on `triangle` towards `direction`, its origin moved off the surface by a
 // little more than the rounding error of `point`, so that it does not hit `triangle` again.
+// `direction` has unit length.
 Ray spawn_ray(const vec3& point, const Triangle& triangle, const vec3& direction);
 
 // True if the ray hits the triangle from either side at some t > 0, and then `t` is set.
@@ -45,12 +46,13 @@ bool ray_triangle_intersection(float& t, const Ray& ray, const Triangle& triangl
 // The closest of all hits, t > 0: sets `t` and `triangle` if it returns true.
 bool ray_mesh_intersection(float& t, Triangle& triangle, const Ray& ray, const Mesh& mesh);
 
-// Two numbers in [0,1), and a new seed. PCG2D: Jarzynski & Olano, "Hash Functions for GPU
-// Rendering", JCGT 9(3), 2020. From seed (0,0) the new seed is (0x18e431a7, 0x055df4d1).
+// A new seed, and two numbers in [0,1): its components over 2^32. PCG2D: Jarzynski & Olano, "Hash
+// Functions for GPU Rendering", JCGT 9(3), 2020. From seed (0,0) the new seed is (0x18e431a7,
+// 0x055df4d1).
 vec2 get_random_numbers(uvec2& seed);
 
 // A direction, uniform on the unit sphere: density 1/(4 pi) per unit solid angle.
-// z = 2 u[1] - 1, azimuth 2 pi u[0].
+// z = 2 u[1] - 1, azimuth 2 pi u[0]; u in [0,1)^2, here and below.
 vec3 sample_sphere(vec2 u);
 
 // A direction, uniform on the hemisphere around the unit vector n: density 1/(2 pi).
