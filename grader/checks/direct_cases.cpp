@@ -224,6 +224,29 @@ Finding judgeCase(CheckRun& run, const DirectCase& c, std::uint64_t seed) {
   return finding;
 }
 
+// Enough to tell light from darkness.
+struct FewSamples {
+  static constexpr std::uint32_t kReplicates = 4, kRays = 256, kCount = kReplicates * kRays;
+  std::uint64_t invalid = 0;
+  glm::dvec3 mean{0.0};  // of the replicates with valid samples
+};
+
+FewSamples fewSamples(CheckRun& run, const LitRoom& room) {
+  FewSamples few;
+  for (const Estimate& e :
+       estimate(run, room, run.seed, FewSamples::kReplicates, FewSamples::kRays)) {
+    few.invalid += e.invalid;
+    if (e.invalid < FewSamples::kRays)
+      few.mean += glm::dvec3(e.mean[0], e.mean[1], e.mean[2]) / double{FewSamples::kReplicates};
+  }
+  return few;
+}
+
+Finding withCause(Finding finding, const std::string& cause) {
+  finding.cause = cause;
+  return finding;
+}
+
 }  // namespace
 
 DirectCase caseOf(const LitRoom& room, std::uint32_t rays) {
@@ -247,28 +270,18 @@ Finding judgeCases(CheckRun& run, const std::vector<DirectCase>& cases) {
 }
 
 Finding judgeDarkness(CheckRun& run, const std::vector<DarkCase>& cases) {
-  constexpr std::uint32_t kReplicates = 4, kRays = 256;
   Exact exact;
-  std::string cause;
   for (const DarkCase& c : cases) {
-    std::uint64_t invalid = 0;
-    glm::dvec3 mean(0.0);
-    for (const Estimate& e : estimate(run, c.room, run.seed, kReplicates, kRays)) {
-      invalid += e.invalid;
-      if (e.invalid < kRays) mean += glm::dvec3(e.mean[0], e.mean[1], e.mean[2]) / 4.0;
-    }
-    exact.count(std::uint64_t{kReplicates} * kRays);
+    const FewSamples few = fewSamples(run, c.room);
+    exact.count(FewSamples::kCount);
     exact.holds(
-        invalid == 0 && mean == glm::dvec3(0.0), fmt::format("no light: {}", c.why),
+        few.invalid == 0 && few.mean == glm::dvec3(0.0), fmt::format("no light: {}", c.why),
         [&] {
-          return invalid > 0 ? invalidText(invalid, std::uint64_t{kReplicates} * kRays)
-                             : fmt::format("mean radiance = {}", text(vec3(mean)));
+          return few.invalid > 0 ? invalidText(few.invalid, FewSamples::kCount)
+                                 : fmt::format("mean radiance = {}", text(vec3(few.mean)));
         },
         [&] { return c.room.text(); });
-    if (!exact.failed()) continue;
-    Finding finding = exact.finding();
-    finding.cause = c.cause;
-    return finding;
+    if (exact.failed()) return withCause(exact.finding(), c.cause);
   }
   return exact.finding();
 }
@@ -276,21 +289,15 @@ Finding judgeDarkness(CheckRun& run, const std::vector<DarkCase>& cases) {
 // A single light may be chosen of twelve, so that most samples may be 0: that all of them are, by
 // right code, has a probability below 1e-38.
 Finding judgeSomeLight(CheckRun& run, const std::vector<LitCase>& cases) {
-  constexpr std::uint32_t kReplicates = 4, kRays = 256;
   Exact exact;
   for (const LitCase& c : cases) {
-    glm::dvec3 mean(0.0);
-    for (const Estimate& e : estimate(run, c.room, run.seed, kReplicates, kRays))
-      mean += glm::dvec3(e.mean[0], e.mean[1], e.mean[2]) / double{kReplicates};
-    exact.count(std::uint64_t{kReplicates} * kRays);
+    const FewSamples few = fewSamples(run, c.room);
+    exact.count(FewSamples::kCount);
     exact.holds(
-        mean != glm::dvec3(0.0), fmt::format("some light: {}", c.why),
-        [&] { return fmt::format("0 in each of {} samples", kReplicates * kRays); },
+        few.mean != glm::dvec3(0.0) || few.invalid > 0, fmt::format("some light: {}", c.why),
+        [&] { return fmt::format("0 in each of {} samples", std::uint64_t{FewSamples::kCount}); },
         [&] { return c.room.text(); });
-    if (!exact.failed()) continue;
-    Finding finding = exact.finding();
-    finding.cause = c.cause;
-    return finding;
+    if (exact.failed()) return withCause(exact.finding(), c.cause);
   }
   return exact.finding();
 }

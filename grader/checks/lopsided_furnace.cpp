@@ -203,8 +203,7 @@ const std::vector<FurnaceMistake>& furnaceMistakes() {
          return 0.5 * (f.emission + f.radiance(cosine, bounces));
        },
        "the weight of a light that the path meets is 1/2 where it must be 1: light samples have "
-       "the "
-       "density 0 here"},
+       "the density 0 here"},
       inStep("the cosine is missing in the throughput", withoutCosine),
       inStep("the throughput takes the cosine of wo: that of wi belongs there", cosineOfTheOther),
       inStep("wo and wi are exchanged in the BRDF of the throughput", swappedDirections),

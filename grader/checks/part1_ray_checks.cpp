@@ -131,8 +131,7 @@ Finding filmPointIsRight(CheckRun& run) {
   EyeRounds eyeRounds;
   Exact exact{
       "half a pixel is taken off: the pixel begins at (i, j), and the ray goes through the middle "
-      "of "
-      "its range by itself",
+      "of its range by itself",
       "half a pixel is added: the ray goes through the middle of the pixel's range by itself",
       "k / n and l / n are divided as integers, which gives 0",
       "k / n is divided as integers, which gives 0",

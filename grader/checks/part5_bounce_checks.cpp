@@ -6,16 +6,22 @@
 #include "checks/path_estimates.h"
 #include "checks/points.h"
 #include "checks/standins/beam.h"
+#include "checks/standins/leaning.h"
 #include "checks/standins/lopsided.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace pathmark::checks::path {
 
 namespace {
+
+const Colour kEmission(1.0f, 0.5f, 2.0f);
+constexpr std::array kLit{0, 2};  // channels that the walls reflect
+constexpr int kMostBounces = 3;
 
 // The weight of a bounce changes the radiance of the whole by much less than itself. With the same
 // random numbers the paths of one bounce more are the same paths, continued: what they add has
@@ -25,18 +31,29 @@ namespace {
 struct Walls {
   Hollow hollow;
   Colour kd;
-  std::uint32_t paths;  // of a replicate
-  double delta;         // of the weight of one bounce
-  double rounding;      // of what a bounce adds, which is small next to what is emitted
-};
+  std::uint32_t paths;   // of a replicate
+  double delta;          // of the weight of one bounce
+  double rounding;       // of what a bounce adds, which is small next to what is emitted
+  bool leaning = false;  // of the BRDF of standins/leaning.h
 
-const Colour kEmission(1.0f, 0.5f, 2.0f);
-constexpr std::array kLit{0, 2};  // channels that the walls reflect
-constexpr int kMostBounces = 3;
+  Surface surface() const {
+    Surface wall = lopsidedWall(kd, kEmission);
+    if (leaning) wall.exponent = leaning::kExponent;
+    return wall;
+  }
+  // Radiance in a channel, where it is seen at this cosine.
+  double radiance(int channel, double cosine, int bounces) const {
+    const double emission{kEmission[channel]}, rho{kd[channel]};
+    if (leaning) return emission * (1.0 - std::pow(rho, bounces + 1.0)) / (1.0 - rho);
+    return LopsidedFurnace{emission, rho}.radiance(cosine, bounces);
+  }
+};
 
 Finding judgeBounces(CheckRun& run, const Walls& walls, Random& random,
                      const std::vector<Suspicion>& suspicions = {}) {
-  run.worker.loadScene(furnaceIn(walls.hollow, walls.kd, kEmission));
+  SceneBuilder builder;
+  builder.sphere(walls.surface(), walls.hollow.centre, walls.hollow.radius, true);
+  run.worker.loadScene(builder.flat());
   const double cosine = 0.6;
   const Ray ray = walls.hollow.rayAt(cosine, random);
   std::vector<PathEstimates> upTo;
@@ -58,9 +75,8 @@ Finding judgeBounces(CheckRun& run, const Walls& walls, Random& random,
         double& ratio = values[r * ratios.size() + static_cast<std::size_t>(bounces - 2)];
         ratio = 0.0;
         for (const int c : kLit) {
-          const LopsidedFurnace furnace{double{kEmission[c]}, double{walls.kd[c]}};
           const double added =
-              furnace.radiance(cosine, bounces) - furnace.radiance(cosine, bounces - 1);
+              walls.radiance(c, cosine, bounces) - walls.radiance(c, cosine, bounces - 1);
           const std::size_t at = 3 * r + static_cast<std::size_t>(c);
           ratio += (after[at] - before[at]) / (added * kLit.size());
         }
@@ -120,6 +136,19 @@ Finding smallRoom(CheckRun& run) {
   return finding;
 }
 
+// Half of the light comes from directions that one sample in ten finds.
+Finding unevenDensities(CheckRun& run) {
+  Random random(run.seed + 4);
+  const Hollow hollow(random);
+  Suspicion leftOut{
+      "directions of a small density are left out: only the density 0 says that there is none", {}};
+  for (int bounce = 2; bounce <= kMostBounces; ++bounce)
+    leftOut.means.push_back(std::pow(0.5, bounce - 1));
+  return judgeBounces(run,
+                      {hollow, Colour(0.5f, 0.0f, 0.75f), 1024, kCoarseDelta, kUsualRounding, true},
+                      random, {leftOut});
+}
+
 // Bright walls, of which many bounces still add something. The stand-in of standins/beam.h
 // multiplies the throughput by Kd at every bounce, whatever the direction: others would be too
 // noisy after so many.
@@ -169,12 +198,51 @@ Finding manyBounces(CheckRun& run) {
   return finding;
 }
 
+// From a small plate in the middle of a sphere: what bounce 2 adds, over what it must.
+double addedFromPlate(CheckRun& run, const Vector& n) {
+  constexpr float kRadius = 2.0f, kSide = 0.02f;
+  constexpr double kCosine = 0.6;
+  const Colour kd(0.5f, 0.0f, 0.75f);
+  const Vector v1 = kSide * atCosine(n, 0.0, 0.3), v2 = cross(n, v1);
+  SceneBuilder builder;
+  builder.sphere(lopsidedWall(kd, kEmission), Point(0.0f), kRadius, true)
+      .parallelogram(lopsidedWall(kd, Colour(0.0f)), Point(-0.5f * (v1 + v2)), v1, v2);
+  run.worker.loadScene(builder.flat());
+  const Vector wo = atCosine(n, kCosine, 1.0);
+  const Ray ray{Point(0.1f * v1 - 0.2f * v2 + 0.5f * kRadius * wo), -wo};
+  std::array<double, 3> before{}, after{};
+  for (const auto& [bounces, values] : {std::pair{1, &before}, {2, &after}})
+    PathEstimates(run, {{ray, bounces}}, 1u << 14).measure(0, 1, *values);
+  double ratio = 0.0;
+  for (const int c : kLit) {
+    // Any point of the wall is seen along its normal.
+    const LopsidedFurnace furnace{double{kEmission[c]}, double{kd[c]}};
+    const double scattered = furnace.radiance(kCosine, 1) / furnace.emission - 1.0,
+                 arriving = furnace.radiance(1.0, 1) - furnace.emission;
+    const auto at = static_cast<std::size_t>(c);
+    ratio += (after[at] - before[at]) / (scattered * arriving * kLit.size());
+  }
+  return ratio;
+}
+
 }  // namespace
+
+void addCauseOfRoundedStart(CheckRun& run, Finding& finding) {
+  if (finding.status != Status::kFail || !finding.cause.empty()) return;
+  const auto isRight = [](double ratio) { return std::abs(ratio - 1.0) < 0.1; };
+  Random random(run.seed + 5);
+  if (isRight(addedFromPlate(run, Vector(0, 1, 0))) &&
+      !isRight(addedFromPlate(run, random.direction())))
+    finding.cause =
+        "rays meet the surface that they leave: hit.p is rounded, and may lie behind it; "
+        "hit.spawnRay(wi) starts on the right side";
+}
 
 Finding bouncesAdd(CheckRun& run) {
   Finding first = usualWalls(run);
+  addCauseOfRoundedStart(run, first);
   if (!first.passed()) return first;
-  for (const auto judge : {darkWalls, smallRoom, manyBounces}) {
+  for (const auto judge : {darkWalls, smallRoom, unevenDensities, manyBounces}) {
     Finding next = judge(run);
     first.calls += next.calls;
     if (next.passed()) continue;

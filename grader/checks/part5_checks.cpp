@@ -98,12 +98,14 @@ Finding lopsidedFurnace(CheckRun& run) {
                fmt::format("radiance where cos(wo) = {}, maxBounces() = {}", cosine, bounces),
                radiance);
     }
-  return judgePaths(
+  Finding finding = judgePaths(
       run, rays, 512, means, {},
       fmt::format("inside a sphere that emits {} everywhere; a surface for testing, with a BRDF "
                   "that depends on wo and wi, and a roulette that ends 7 paths of 10",
                   text(emission)),
       suspicions);
+  addCauseOfRoundedStart(run, finding);
+  return finding;
 }
 
 Finding furnaceWithSphere(CheckRun& run) {
@@ -217,8 +219,7 @@ std::vector<Check> path::checksOf(CourseworkFunction pathTracer) {
        Deltas{}.all, lopsidedFurnace},
       {"bounces", pathTracer,
        "each further bounce adds the light that has been scattered once more, up to maxBounces() "
-       "of "
-       "them, in small rooms and on dark walls too",
+       "of them, in small rooms and on dark walls too",
        kBounceDelta, bouncesAdd},
       {"furnace-with-sphere", pathTracer,
        "where all surfaces emit E and reflect a quarter, the mean radiance is E (4 - 4^-B) / 3",

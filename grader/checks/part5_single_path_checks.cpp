@@ -5,10 +5,13 @@
 #include "checks/part5_checks.h"
 #include "checks/path_estimates.h"
 #include "checks/points.h"
+#include "checks/scene_family.h"
 #include "checks/scenes.h"
+#include "checks/small_render.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pathmark::checks::path {
@@ -206,7 +209,30 @@ Finding radianceIsValid(CheckRun& run) {
   return finding;
 }
 
-Finding sameNumbersSameRadiance(CheckRun& run) {
+namespace {
+
+// What is kept between calls shows at once where several threads trace.
+Finding threadsChangeNothing(CheckRun& run) {
+  SmallRender render(
+      run, randomRoom(run.seed), "a room made for this check", 4,
+      run.function == CourseworkFunction::kTracePathMis ? Estimator::kMis : Estimator::kPath);
+  const RenderedFilm one = render.render(0, 1), three = render.render(0, 3);
+  const auto sameSums = [](const FilmPixel& a, const FilmPixel& b) {
+    return std::ranges::equal(a.sum, b.sum);
+  };
+  Exact exact;
+  exact.count(render.rays());
+  exact.holds(
+      std::ranges::equal(one.pixels, three.pixels, sameSums),
+      "the same picture by three threads as by one", [] { return "another picture"; },
+      [] { return "a picture of a room made for this check"; });
+  Finding finding = exact.finding();
+  if (!finding.passed())
+    finding.cause = "threads share a static or global variable: each path needs its own variables";
+  return finding;
+}
+
+Finding pathsAreRepeatable(CheckRun& run) {
   Random random(run.seed);
   const Hollow hollow(random);
   run.worker.loadScene(furnaceIn(hollow, Colour(0.5f), Colour(1.0f)));
@@ -232,6 +258,16 @@ Finding sameNumbersSameRadiance(CheckRun& run) {
         });
   (void)other;
   return exact.finding();
+}
+
+}  // namespace
+
+Finding sameNumbersSameRadiance(CheckRun& run) {
+  Finding finding = pathsAreRepeatable(run);
+  if (!finding.passed()) return finding;
+  Finding threads = threadsChangeNothing(run);
+  threads.calls += finding.calls;
+  return threads;
 }
 
 Finding twiceTheEmission(CheckRun& run) {

@@ -1,4 +1,4 @@
-// What is asked of 8.3 where it samples lights: part8_light_checks.cpp.
+// What is asked of 8.3 where it samples lights.
 #pragma once
 
 #include "checks/check.h"
@@ -8,5 +8,9 @@
 namespace pathmark::checks::path {
 
 std::vector<Check> lightChecks();
+
+// "unfair-roulette", one of them.
+inline constexpr double kRouletteDelta = 0.02;
+Finding unfairRoulette(CheckRun& run);
 
 }  // namespace pathmark::checks::path

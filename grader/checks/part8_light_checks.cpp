@@ -6,6 +6,7 @@
 #include "checks/lit_room.h"
 #include "checks/lopsided_furnace.h"
 #include "checks/part8_checks.h"
+#include "checks/part8_rooms.h"
 #include "checks/path_estimates.h"
 #include "checks/points.h"
 #include "checks/random_rooms.h"
@@ -13,7 +14,6 @@
 #include "checks/standins/leaning.h"
 #include "checks/standins/lopsided.h"
 #include "checks/standins/sampled_sphere.h"
-#include "checks/standins/unfair_roulette.h"
 
 #include <fmt/format.h>
 
@@ -27,132 +27,7 @@ namespace {
 
 using F = CourseworkFunction;
 
-constexpr double kDelta = 0.005, kRouletteDelta = 0.02, kTwoPi = 2.0 * std::numbers::pi;
-
-// A throughput that is black in red or green keeps the roulette's stand-in from ending paths, which
-// would be most of the noise.
-enum class Black { kRed, kGreen };
-
-Colour without(Colour colour, Black black) {
-  (black == Black::kRed ? colour.x : colour.y) = 0.0f;
-  return colour;
-}
-
-// `width` along an axis of the plane that is turned by `turn`, `height` across.
-RoomLight rectangle(const glm::dvec3& centre, const glm::dvec3& normal, double width, double height,
-                    double turn, const Colour& emission) {
-  const DoubleFrame frame(normal);
-  const glm::dvec3 u = std::cos(turn) * frame.u + std::sin(turn) * frame.v,
-                   v = glm::cross(frame.n, u);
-  const glm::dvec3 corner = centre - 0.5 * width * u - 0.5 * height * v;
-  RoomLight light;
-  light.emission = emission;
-  for (const glm::dvec3& p :
-       {corner, corner + width * u, corner + width * u + height * v, corner + height * v})
-    light.vertices.emplace_back(p);
-  return light;
-}
-
-// The room with its receiver as a small surface, and a ray that looks at it.
-FlatScene sceneOf(const LitRoom& room, double size, Black black) {
-  SceneBuilder builder;
-  for (const RoomLight& light : room.lights)
-    builder.polygon({.emission = light.emission}, light.vertices);
-  for (const auto& screen : room.screens) builder.polygon({}, screen);
-  const DoubleFrame frame{glm::dvec3(room.receiver.n)};
-  const double side = 1e-3 * size;
-  const glm::dvec3 corner = glm::dvec3(room.receiver.p) - 0.5 * side * (frame.u + frame.v);
-  std::vector<Point> vertices{Point(corner), Point(corner + side * frame.u),
-                              Point(corner + side * (frame.u + frame.v)),
-                              Point(corner + side * frame.v)};
-  if (glm::dot(glm::cross(frame.u, frame.v), frame.n) < 0.0)
-    std::reverse(vertices.begin(), vertices.end());
-  const float exponent = room.receiver.lopsided ? 1.0f : leaning::kExponent;
-  builder.polygon({.kd = without(kReceiverKd, black), .ks = Colour(0.05f), .exponent = exponent},
-                  vertices);
-  return builder.flat();
-}
-
-struct Case {
-  std::string what;
-  LitRoom room;
-  double size = 1.0;  // of the room
-  std::uint32_t paths = 512;
-  Black black = Black::kGreen;
-  bool isDark = false;  // in some channel, or in all
-
-  PathRay ray() const {
-    const Receiver& x = room.receiver;
-    return {{x.p + static_cast<float>(1e-2 * size) * x.wo, -x.wo}, 1};
-  }
-};
-
-LitRoom below(std::vector<RoomLight> lights, Random& random) {
-  LitRoom room{std::move(lights), {}, {}};
-  room.receiver = {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, true};
-  room.receiver.wo = atCosine({0, 1, 0}, random.between(0.3, 0.9), random.between(0.0, kTwoPi));
-  return room;
-}
-
-// Above a receiver at the origin, around which it stands somewhere.
-RoomLight above(Random& random, double height, double width, double depth) {
-  const double aside = 0.3 * height;
-  return rectangle({random.between(-aside, aside), height, random.between(-aside, aside)},
-                   {0, -1, 0}, width, depth, random.between(0.0, kTwoPi), randomEmission(random));
-}
-
-std::vector<Case> cases(std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Case> all;
-  all.push_back({"one light", below({above(random, 1.0, 2.0, 3.0)}, random)});
-  all.push_back({"a light that is near", below({above(random, 0.3, 2.0, 2.0)}, random), 1.0, 2048});
-  all.push_back({"a light that is far", below({above(random, 2.0, 0.5, 0.3)}, random)});
-  for (const int count : {2, 3, 5}) {
-    const double largest = 1.5 / count;  // none hides another
-    LitRoom room = below({}, random);
-    for (int k = 0; k < count; ++k) {
-      const double azimuth = kTwoPi * (k + random.between(0.4, 0.6)) / count;
-      const glm::dvec3 towards(0.7 * std::cos(azimuth), 0.7, 0.7 * std::sin(azimuth));
-      room.lights.push_back(rectangle(
-          random.between(1.0, 1.3) * towards, -towards, random.between(0.5, 1.0) * largest,
-          random.between(0.5, 1.0) * largest, 0.0, randomEmission(random)));
-    }
-    all.push_back({fmt::format("{} lights", count), room, 1.0, 1024});
-  }
-  // A screen halfway hides all of the light but the open share.
-  LitRoom hidden = below({above(random, 1.0, 2.0, 2.0)}, random);
-  RoomLight& light = hidden.lights[0];
-  light.open = random.between(0.4, 0.6);
-  const glm::dvec3 p0(light.vertices[0]), v1 = glm::dvec3(light.vertices[1]) - p0,
-                                          v2 = glm::dvec3(light.vertices[3]) - p0;
-  const auto halfway = [&](double a, double b) { return Point(0.5 * (p0 + a * v1 + b * v2)); };
-  hidden.screens.push_back(
-      {halfway(light.open, -0.2), halfway(1.2, -0.2), halfway(1.2, 1.2), halfway(light.open, 1.2)});
-  all.push_back({"a light half hidden", hidden, 1.0, 1024});
-  // What is black in some channel is not black.
-  for (const Colour& lit : {Colour(1, 0, 0), Colour(0, 1, 0), Colour(0, 0, 1), Colour(1e-3f)}) {
-    LitRoom room = below({above(random, 1.0, 2.0, 2.0)}, random);
-    room.lights[0].emission = lit * room.lights[0].emission;
-    all.push_back({fmt::format("a light of the emission {}", text(room.lights[0].emission)), room,
-                   1.0, 512, lit.x == 1.0f ? Black::kGreen : Black::kRed, true});
-  }
-  // On the side away from wo, where the leaning BRDF draws most of its directions.
-  LitRoom glossy = below({}, random);
-  glossy.receiver.lopsided = false;
-  glossy.receiver.wo = atCosine({0, 1, 0}, random.between(0.4, 0.7), random.between(0.0, kTwoPi));
-  const glm::dvec3 away =
-      glm::normalize(glm::dvec3(-glossy.receiver.wo.x, 0.0, -glossy.receiver.wo.z));
-  const glm::dvec3 towards = glm::normalize(away + glm::dvec3(0.0, 0.8, 0.0));
-  glossy.lights.push_back(
-      rectangle(0.9 * towards, -towards, 0.9, 0.9, 0.0, randomEmission(random)));
-  all.push_back({"a surface whose directions depend on wo", glossy, 1.0, 1024});
-  for (const double size : {1e-3, 1e4}) {
-    LitRoom room = below({above(random, 1.0, 2.0, 2.0)}, random);
-    for (Point& v : room.lights[0].vertices) v *= static_cast<float>(size);
-    all.push_back({fmt::format("a light {:g} times as large", size), room, size});
-  }
-  return all;
-}
+constexpr double kDelta = 0.005, kTwoPi = 2.0 * std::numbers::pi;
 
 // Of a light sample against the stand-in BRDF's uniform density.
 double lightWeight(const LightTerms& t) {
@@ -222,7 +97,7 @@ Finding judgeRay(CheckRun& run, const PathRay& ray, std::uint32_t paths, const g
 }
 
 Finding judge(CheckRun& run, const Case& c, std::uint64_t seed) {
-  run.worker.loadScene(sceneOf(c.room, c.size, c.black));
+  run.worker.loadScene(sceneOf(c));
   const glm::dvec3 right = expected(rightKernel, c.room);
   const std::vector<int> lit = litChannels(right, c.black);
   std::vector<Suspicion> suspicions;
@@ -241,8 +116,7 @@ Finding judge(CheckRun& run, const Case& c, std::uint64_t seed) {
 std::string causeOf(const Case& c) {
   if (!c.room.receiver.lopsided)
     return "the density in the weight of a light sample is hit.brdf->pdf(wo, wi, n), with the wo "
-           "of "
-           "this hit, -ray.direction";
+           "of this hit, -ray.direction";
   if (c.isDark)
     return "what is black in one channel, or dark, is taken for black: compare with Colour(0)";
   if (c.room.lights.size() > 1)
@@ -254,7 +128,7 @@ std::string causeOf(const Case& c) {
 Finding directLight(CheckRun& run) {
   Finding worst;
   std::uint64_t calls = 0, seed = run.seed;
-  for (const Case& c : cases(run.seed)) {
+  for (const Case& c : directLightCases(run.seed)) {
     const Finding finding = judge(run, c, ++seed);
     calls += finding.calls;
     if (worst.passed()) worst = finding;
@@ -270,7 +144,7 @@ Finding directLight(CheckRun& run) {
 // Variance of one path over the squared mean.
 double relativeVariance(CheckRun& run, const Case& c, std::uint64_t& calls) {
   constexpr std::uint32_t kPaths = 1u << 13;
-  run.worker.loadScene(sceneOf(c.room, c.size, c.black));
+  run.worker.loadScene(sceneOf(c));
   PathEstimates estimates(run, {c.ray()}, 1);
   std::vector<double> values(3 * kPaths);
   estimates.measure(0, kPaths, values);
@@ -322,13 +196,11 @@ Finding bothWays(CheckRun& run) {
   if (nearFails && smallFails)
     finding.cause = "the weights are exchanged: each sample has the weight of the other way";
   else if (nearFails)
-    finding.cause =
-        lightSamplesAlone
-            ? "direct light comes from light samples alone, as in part 5"
-            : "the near light is noisy: what the BRDF's directions find counts too little, or "
-              "their "
-              "paths end too early. Are both densities of a weight per unit solid angle? Is the "
-              "roulette shown the updated throughput?";
+    finding.cause = lightSamplesAlone ? "direct light comes from light samples alone, as in part 5"
+                                      : "the near light is noisy: what the BRDF's directions find "
+                                        "counts too little, or their paths end too early. Are both "
+                                        "densities of a weight per unit solid angle? Is the "
+                                        "roulette shown the updated throughput?";
   else if (smallFails)
     finding.cause = "direct light comes from the lights that paths meet by themselves alone";
   return finding;
@@ -359,20 +231,33 @@ Finding laterHits(CheckRun& run) {
                         centre - 0.5f * side * (x + z), side * z, side * x);
   run.worker.loadScene(builder.flat());
   const Vector wo = atCosine({0, 1, 0}, random.between(0.3, 0.9), random.between(0.0, kTwoPi));
-  glm::dvec3 right(0.0);
   const std::vector<int> lit{0, 2};
-  for (const int channel : lit) {
-    const double rho{albedo[channel]};
-    double share = 1.0;
-    for (int bounce = 1; bounce <= kBounces; ++bounce, share *= rho) right[channel] += share;
-    right[channel] *= double{kd[channel]} * double{emission[channel]};
-  }
-  return judgeRay(
-      run, {{centre + 1e-2f * length * wo, -wo}, kBounces}, 512, right, lit,
-      fmt::format("in a box of which all walls emit {} and reflect {}, looking at a small surface "
-                  "that reflects into a narrow cone only, maxBounces() = {}",
-                  text(emission), text(albedo), kBounces),
-      {});
+  const auto judgeUpTo = [&](int bounces) {
+    glm::dvec3 right(0.0);
+    for (const int channel : lit) {
+      const double rho{albedo[channel]};
+      double share = 1.0;
+      for (int bounce = 1; bounce <= bounces; ++bounce, share *= rho) right[channel] += share;
+      right[channel] *= double{kd[channel]} * double{emission[channel]};
+    }
+    return judgeRay(
+        run, {{centre + 1e-2f * length * wo, -wo}, bounces}, 512, right, lit,
+        fmt::format(
+            "in a box of which all walls emit {} and reflect {}, looking at a small surface "
+            "that reflects into a narrow cone only, maxBounces() = {}",
+            text(emission), text(albedo), bounces),
+        {});
+  };
+  Finding finding = judgeUpTo(kBounces);
+  if (finding.status != Status::kFail) return finding;
+  const Finding atFirst = judgeUpTo(1);
+  finding.calls += atFirst.calls;
+  if (atFirst.passed())
+    finding.cause =
+        "with maxBounces() = 1 it is right: from the second hit on something is still that of an "
+        "earlier one. The weight of a light that the path meets has the density of the direction "
+        "drawn last";
+  return finding;
 }
 
 // The furnace's direct light at one hit, where the half that light samples find is left out:
@@ -411,88 +296,6 @@ Finding ownLight(CheckRun& run) {
                               "are taken, maxBounces() = 1",
                               text(emission)),
                   {skipped});
-}
-
-// With a roulette that is not fair the mean shows what it was asked. Where it comes is free, before
-// the light that the ray finds or after it: each of these gives another mean, and any of them is
-// right.
-Finding unfairRoulette(CheckRun& run) {
-  Random random(run.seed);
-  const Hollow hollow(random);
-  const Colour kd(0.9f, 0.8f, 0.0f), emission(1.0f, 0.5f, 2.0f);
-  constexpr double kCosine = 0.8;
-  constexpr std::array kBounces{1, 2};
-  run.worker.loadScene(furnaceIn(hollow, kd, emission));
-  std::vector<PathRay> rays;
-  for (const int bounces : kBounces) rays.push_back({hollow.rayAt(kCosine, random), bounces});
-  using Factor = std::function<double(int hit, int bounces)>;
-  const auto meansBy = [&](LightBefore before, const Factor& factor) {
-    std::vector<double> means;
-    double sum = 0.0;
-    for (const int bounces : kBounces)
-      for (const int channel : {0, 1}) {
-        const LopsidedFurnace furnace{double{emission[channel]}, double{kd[channel]}};
-        means.push_back(unfairMisRadiance(furnace, kCosine, bounces, before,
-                                          [&](int hit) { return factor(hit, bounces); }));
-        sum += means.back() / furnace.emission;
-      }
-    means.push_back(sum);
-    return means;
-  };
-  const Factor right = [](int hit, int) { return unfair::factor(hit); };
-  const std::pair<const char*, Factor> mistakes[] = {
-      {"RussianRoulette is not asked, or its answer is not used", [](int, int) { return 1.0; }},
-      {"depth counts from 0: it is the number of scattering events so far, 1 at hit 1",
-       [](int hit, int) { return unfair::factor(hit - 1); }},
-      {"depth is one too large: it is the number of scattering events so far, 1 at hit 1",
-       [](int hit, int) { return unfair::factor(hit + 1); }},
-      {"the roulette is told maxBounces() as the depth: it is the number of scattering events so "
-       "far, 1 at hit 1",
-       [](int, int bounces) { return unfair::factor(bounces); }},
-      {"the roulette is shown the throughput from before its update",
-       [](int hit, int) { return hit == 1 ? 1.0 : unfair::factor(hit); }},
-  };
-  constexpr std::array kOrders{LightBefore::kNone, LightBefore::kLast, LightBefore::kAll};
-  std::vector<Suspicion> suspicions;
-  for (const auto& [words, factor] : mistakes)
-    for (const LightBefore before : kOrders) suspicions.push_back({words, meansBy(before, factor)});
-  PathEstimates estimates(run, rays, 512);
-  const auto measure = [&](std::uint32_t first, std::uint32_t count, std::span<double> values) {
-    std::vector<double> all(6 * count);
-    estimates.measure(first, count, all);
-    for (std::size_t r = 0; r < count; ++r) {
-      double* of = &values[5 * r];
-      of[4] = 0.0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        of[k] = all[6 * r + 3 * (k / 2) + k % 2];
-        of[4] += of[k] / double{emission[static_cast<int>(k % 2)]};
-      }
-    }
-  };
-  Finding first;
-  for (const LightBefore before : kOrders) {
-    const std::vector<double> expectedMeans = meansBy(before, right);
-    std::vector<Mean> means;
-    for (std::size_t k = 0; k < expectedMeans.size(); ++k)
-      means.push_back({.what = k == 4 ? "radiance / emission, sum over all rays and channels"
-                                      : fmt::format("{}, maxBounces() = {}",
-                                                    inChannel("radiance", static_cast<int>(k % 2)),
-                                                    kBounces[k / 2]),
-                       .expected = expectedMeans[k],
-                       .delta = k == 4 ? kRouletteDelta : 3.0 * kRouletteDelta,
-                       .scale = expectedMeans[k]});
-    Finding finding =
-        judgeMeans(run, means, measure,
-                   "inside a sphere that emits everywhere, with a roulette for testing: where the "
-                   "throughput's blue is 0, as after every update here, its weight is not 1/q but "
-                   "(1 + 1/(1 + depth)) / q",
-                   suspicions);
-    finding.calls = estimates.paths();
-    if (before == kOrders[0]) first = finding;
-    if (finding.passed()) return finding;
-  }
-  first.calls = estimates.paths();
-  return first;
 }
 
 }  // namespace

@@ -47,8 +47,7 @@ std::string withNumbers(const SeenLight& light, const vec2& st) {
 
 constexpr const char* kAtan =
     "the solid angle is wrong where a triangle fills more than pi: use atan2, whose denominator "
-    "may "
-    "be negative";
+    "may be negative";
 
 bool isPastPi(const SeenLight& light) {
   return light.outline().vertices().size() == 3 && light.omega() > std::numbers::pi;
@@ -188,8 +187,8 @@ Finding judgeLight(CheckRun& run, const SeenLight& light, std::uint64_t seed) {
   if (finding.status == Status::kFail && finding.cause.empty() && !light.mustBeUniform())
     finding.cause =
         "what cancels for lights that fill a small solid angle: a sum of angles minus pi, or "
-        "cosines "
-        "that round to 1; below 1e-3 sr points uniform by area, with their density, will do";
+        "cosines that round to 1; below 1e-3 sr points uniform by area, with their density, will "
+        "do";
   return finding;
 }
 

@@ -2,6 +2,7 @@
 
 #include "checks/small_render.h"
 #include "scene/load_scene.h"
+#include "scene/utf8.h"
 #include "stats/moments.h"
 
 #include <fmt/format.h>
@@ -141,7 +142,7 @@ SceneFinding checkScene(const fs::path& file, const WholeWorker& worker, std::ui
   SceneFinding finding{file, Status::kPass, {}, {}, {}};
   try {
     const LoadedScene scene = loadScene(file);
-    if (scene.caption.find_first_not_of(" \t\r\n") == std::string::npos) {
+    if (isBlank(scene.caption)) {
       finding.status = Status::kNotWritten;
       finding.message = "its caption is empty: what does the picture show, where, and why?";
     } else if (!worker.blocker.empty()) {

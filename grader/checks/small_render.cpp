@@ -22,12 +22,13 @@ PlainImage RenderedFilm::image() const {
 }
 
 SmallRender::SmallRender(CheckRun& run, const FlatScene& scene, std::string name,
-                         std::uint64_t raysPerPixel)
+                         std::uint64_t raysPerPixel, Estimator estimator)
     : run_(run),
       name_(std::move(name)),
       width_(static_cast<int>(scene.camera.width)),
       height_(static_cast<int>(scene.camera.height)),
-      raysPerPixel_(raysPerPixel) {
+      raysPerPixel_(raysPerPixel),
+      estimator_(estimator) {
   run.worker.loadScene(scene);
 }
 
@@ -36,6 +37,7 @@ RenderedFilm SmallRender::render(std::uint64_t number, unsigned threads) {
   settings.width = width_;
   settings.height = height_;
   settings.raysPerPixel = raysPerPixel_;
+  settings.estimator = estimator_;
   settings.threads = threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
   settings.seed = mix(run_.seed + kGolden * (number + 1));
   ImageRender image(run_.worker, settings);

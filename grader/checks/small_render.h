@@ -27,7 +27,7 @@ class SmallRender {
  public:
   // Hands the scene to the worker; `name` is for messages.
   SmallRender(CheckRun& run, const FlatScene& scene, std::string name,
-              std::uint64_t raysPerPixel = 4);
+              std::uint64_t raysPerPixel = 4, Estimator estimator = Estimator::kPath);
 
   // The same bits for the same number, with any number of threads; 0: one for each processor.
   RenderedFilm render(std::uint64_t number, unsigned threads = 0);
@@ -57,6 +57,7 @@ class SmallRender {
   std::string name_;
   int width_, height_;
   std::uint64_t raysPerPixel_;
+  Estimator estimator_;
   std::optional<Finding> invalid_;
   std::uint64_t rays_ = 0;
 };

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace pathmark::diagnosis {
@@ -54,6 +55,29 @@ std::vector<Room> rooms() {
   return all;
 }
 
+// Of which the radiance is compared with that under the plain light.
+std::vector<Room> unusualRooms() {
+  const RoomLight shines = plainLight(LightShape::kParallelogram);
+  const LitRoom lit{{shines}, {}, kBelowPlainLight};
+  std::vector<Room> all;
+  LitRoom room = lit;
+  room.receiver.emission = Colour(0.25f, 0.5f, 0.75f);
+  all.push_back({"on a surface that emits", room});
+  room = lit;
+  room.lights[0].emission.x = 0.0f;
+  all.push_back({"from a light without red", room});
+  RoomLight below = shines;
+  for (Point& v : below.vertices) v.y = -v.y;
+  std::ranges::reverse(below.vertices);
+  all.push_back({"beside a light below the horizon", {{below, shines}, {}, kBelowPlainLight}});
+  room = {{{.centre = {1, 2, 3}, .radius = 2.0f, .inward = true, .emission = kPlainEmission}},
+          {},
+          {{3, 2, 3}, {-1, 0, 0}, {-0.8f, 0.6f, 0}}};
+  room.receiver.onLight = true;
+  all.push_back({"on the inside of a sphere that lights itself", room});
+  return all;
+}
+
 std::vector<Room> darkRooms() {
   LitRoom lit{{plainLight(LightShape::kParallelogram)}, {}, kBelowPlainLight};
   std::vector<Room> all;
@@ -61,6 +85,8 @@ std::vector<Room> darkRooms() {
   room.receiver.n = {0, -1, 0};
   room.receiver.wo = {0.6f, -0.8f, 0};
   all.push_back({"from a light below the horizon", room});
+  room.receiver.wo = {0.6f, 0.8f, 0};
+  all.push_back({"towards the back of a surface that is lit from behind", room});
   room = lit;
   room.lights[0].frontOnly = true;
   room.receiver = {{0.3f, 4, 0.2f}, {0, -1, 0}, {0.6f, -0.8f, 0}};
@@ -110,6 +136,7 @@ Signature probeDirectLighting(const ProbeRun& run) {
   for (const Room& room : rooms())
     addMean(run, room, radianceBy(rightKernel, room.room), signature);
   const glm::dvec3 typical = glm::dvec3(kReceiverKd) * glm::dvec3(kPlainEmission);
+  for (const Room& room : unusualRooms()) addMean(run, room, typical, signature);
   for (const Room& room : darkRooms()) addMean(run, room, typical, signature);
   return signature;
 }

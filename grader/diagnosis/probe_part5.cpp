@@ -1,6 +1,8 @@
 // The path tracer, among the stand-ins that the checks use: see checks/part5_checks.cpp.
 #include "checks/hollow.h"
 #include "checks/matt_room.h"
+#include "checks/standins/beam.h"
+#include "checks/standins/leaning.h"
 #include "diagnosis/path_means.h"
 
 #include <fmt/format.h>
@@ -66,6 +68,49 @@ void probeRooms(const ProbeRun& run, Signature& signature) {
   addPathMeans(run, question, signature);
 }
 
+// Where paths that are right elsewhere may go wrong: over the emission of the wall.
+void probeUnusualFurnaces(const ProbeRun& run, Signature& signature) {
+  struct Furnace {
+    float exponent, scale;  // of the material, of the sphere
+    int bounces;
+    const char* words;
+  };
+  const Furnace furnaces[] = {
+      {leaning::kExponent, 1.0f, 3, "in a furnace with directions of unequal density"},
+      {beam::kLeastExponent, 1.0f, 40, "in a bright furnace after many bounces"},
+      {leaning::kExponent, 2e-3f, 3, "in a small furnace"}};
+  for (const Furnace& f : furnaces) {
+    Random random(53);
+    Hollow hollow(random);
+    hollow.centre *= f.scale;
+    hollow.radius *= f.scale;
+    SceneBuilder builder;
+    builder.sphere({.kd = Colour(0.8f, 0.0f, 0.8f),
+                    .emission = Colour(1.0f),
+                    .ks = Colour(0.125f),
+                    .exponent = f.exponent},
+                   hollow.centre, hollow.radius, true);
+    run.worker.loadScene(builder.flat());
+    const std::string what =
+        fmt::format("radiance over emission, {}, maxBounces() = {}", f.words, f.bounces);
+    addPathMeans(run, {{{{hollow.rayAt(0.6, random), f.bounces}, what}}, {0, 2}}, signature);
+  }
+}
+
+// A matt plate in a bright sphere, from behind; and its lit front with no bounces.
+void probeDarkness(const ProbeRun& run, Signature& signature) {
+  SceneBuilder builder;
+  builder.sphere({.kd = Colour(0.5f), .emission = Colour(1.0f)}, Point(0.0f), 4.0f, true)
+      .parallelogram({.kd = Colour(0.5f)}, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+  run.worker.loadScene(builder.flat());
+  const Ray back{{0.1f, -2, 0.2f}, {0, 1, 0}}, front{{0.1f, 2, 0.2f}, {0, -1, 0}};
+  addPathMeans(run,
+               {{{{back, 3}, "radiance of the back of a plate in a bright sphere"},
+                 {{front, 0}, "radiance of a lit plate, maxBounces() = 0"}},
+                {0}},
+               signature);
+}
+
 void probeEmission(const ProbeRun& run, Signature& signature) {
   const Colour emission(3, 2, 1);
   SceneBuilder builder;
@@ -91,6 +136,8 @@ Signature probePart5(const ProbeRun& run) {
   probeEmission(run, signature);
   probeFurnaces(run, signature);
   probeRooms(run, signature);
+  probeUnusualFurnaces(run, signature);
+  probeDarkness(run, signature);
   return signature;
 }
 
