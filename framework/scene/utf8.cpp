@@ -1,5 +1,7 @@
 #include "scene/utf8.h"
 
+#include <algorithm>
+
 namespace pathmark {
 
 namespace {
@@ -38,6 +40,17 @@ Utf8Character firstCharacter(std::string_view text) {
 std::size_t bytesOfNameLetter(std::string_view text) {
   const Utf8Character first = firstCharacter(text);
   return first.code < 0x80 || isUnseen(first.code) ? 0 : first.bytes;
+}
+
+bool isBlank(std::string_view text) {
+  while (!text.empty()) {
+    const Utf8Character first = firstCharacter(text);
+    const bool isSeen =
+        first.code < 0x80 ? first.code > ' ' && first.code != 0x7F : !isUnseen(first.code);
+    if (isSeen) return false;
+    text.remove_prefix(std::max<std::size_t>(first.bytes, 1));
+  }
+  return true;
 }
 
 std::string_view cutAtCharacter(std::string_view text, std::size_t bytes) {

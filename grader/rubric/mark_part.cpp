@@ -267,6 +267,10 @@ std::vector<MarkLine> markScenes(const record::SubmissionRecord& record, const P
     if (credit.credit < 1.0)
       line.reason = fmt::format("{}: {}", scene.file,
                                 sentence(scene.message.empty() ? credit.reason : scene.message));
+    else if (blocked)
+      line.reason =
+          fmt::format("{} was not rendered, blocked by {}; as far as it was read it is right.",
+                      scene.file, scene.message);
     if (line.points > best.points) best = line;
   }
   best.points = std::max(best.points, 0.0);

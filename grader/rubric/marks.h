@@ -17,7 +17,7 @@ inline constexpr const char* kRoundingLine = "rounding";
 struct MarkLine {
   std::string what;  // "3.3 lambertianBRDF::reflection", "efficiency"
   double points = 0.0, outOf = 0.0;
-  std::string reason;  // empty for all points: "the picture is 2.1 % (1.9 to 2.3 %) off: ..."
+  std::string reason;  // empty where there is nothing to say: "the picture is 2.1 % (1.9 to 2.3 %) off: ..."
 };
 
 struct PartMarks {

@@ -197,6 +197,9 @@ TEST_F(Marking, OneGoodSceneIsEnough) {
   };
   EXPECT_EQ(points({Verdict::kWrong, Verdict::kOk}), 4.0);
   EXPECT_EQ(points({Verdict::kBlocked}), 4.0);  // by the parts, which have cost already
+  EXPECT_EQ(
+      marksOf(mark(), kScenesPart).lines[0].reason,
+      "a.json was not rendered, blocked by there is no camera; as far as it was read it is right.");
   EXPECT_EQ(points({Verdict::kNotWritten}), 0.0);
   EXPECT_EQ(points({Verdict::kWrong}), 0.0);
   EXPECT_EQ(marksOf(mark(), kScenesPart).lines[0].reason, "a.json: There is no camera.");

@@ -43,5 +43,12 @@ TEST(SyntaxSentence, CallsNothingACharacterThatUtf8DoesNotHave) {
   }
 }
 
+TEST(Utf8, IsBlankWhereNothingIsSeen) {
+  for (const char* text : {"", " \t\r\n", "\u00A0", "\u3000 \u200B\uFEFF", "\x7F"})
+    EXPECT_TRUE(isBlank(text)) << text;
+  for (const char* text : {"a", " . ", "\u00A0\u00E9", "\u7A7A", "\u2014"})
+    EXPECT_FALSE(isBlank(text)) << text;
+}
+
 }  // namespace
 }  // namespace pathmark
