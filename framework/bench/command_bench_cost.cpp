@@ -111,8 +111,7 @@ std::vector<LogChart> chartsOf(const std::string& scene, const Cost& cost) {
 std::string pageWith(const std::vector<LogChart>& charts, const std::string& machine) {
   std::string body =
       "<h1>What renders cost</h1>\n<p>Bars: 95 % intervals over repeated runs, of whole processes "
-      "of "
-      "one thread; time without the program's start. The dotted line is in proportion.</p>\n";
+      "of one thread; time without the program's start. The dotted line is in proportion.</p>\n";
   for (const LogChart& chart : charts)
     body += fmt::format("<section><figure>{}</figure></section>\n", chartSvg(chart));
   return pageOf("What renders cost",

@@ -81,8 +81,8 @@ constexpr std::string_view kExplanation =
     "<p>Relative MSE: the mean over pixels and channels of (image \u2212 reference)\u00b2 / "
     "(reference\u00b2 + 0.01). Efficiency: 1 / (relative MSE \u00d7 CPU seconds). Bars and \u00b1: "
     "95 % intervals over independent renders. Numbers in the legend: the slope of log error "
-    "against "
-    "log time, with its interval; independent samples have \u22121, the dotted line. Worst 0.1 %: "
+    "against log time, with its interval; independent samples have \u22121, the dotted line. Worst "
+    "0.1 %: "
     "the share of the squared error in that part of the pixels.</p>\n";
 
 }  // namespace

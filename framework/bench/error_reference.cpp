@@ -1,5 +1,6 @@
 #include "bench/error_reference.h"
 
+#include "bench/error_estimators.h"
 #include "bench/interrupted_run.h"
 #include "film/image_file.h"
 #include "host/build_config.h"
@@ -24,23 +25,34 @@ BenchReference asReference(ImageFile file) {
   return reference;
 }
 
-fs::path keptFile(const LoadedScene& scene, const Coursework& coursework, std::uint64_t rays) {
+fs::path keptFile(const LoadedScene& scene, const Coursework& coursework, Estimator estimator,
+                  std::uint64_t rays) {
   const fs::path folder = fs::path(build::kBuildFolder) / "error-references";
   fs::create_directories(folder);
   return folder / fmt::format("{}_{}.exr", scene.name,
-                              contentHash(fmt::format("{} {} {}", sceneHash(scene),
-                                                      coursework.worker.string(), rays)));
+                              contentHash(fmt::format("{} {} {} {}", sceneHash(scene),
+                                                      coursework.worker.string(), rays,
+                                                      static_cast<int>(estimator))));
 }
 
-BenchReference make(const LoadedScene& scene, const Coursework& coursework, std::uint64_t rays) {
+// What smooth surfaces mirror of large lights, tracePath hardly ever finds: its picture would lack
+// that, and its own error would not tell.
+Estimator bestEstimator(const Coursework& coursework) {
+  return whatIsUnwritten(coursework, {.estimator = Estimator::kMis}).empty() ? Estimator::kMis
+                                                                             : Estimator::kPath;
+}
+
+BenchReference make(const LoadedScene& scene, const Coursework& coursework, Estimator estimator,
+                    std::uint64_t rays) {
   RenderOptions options;
+  options.estimator = estimator;
   options.raysPerPixel = rays - rays % kReplicates;
   options.replicates = kReplicates;
   options.seed = kSeed;
   options.secondsWithoutAnswer = 60.0;
-  fmt::print(stderr, "Making a reference of {}, {} x {} pixels, with {} and {} rays per pixel.\n",
+  fmt::print(stderr, "Making a reference of {}, {} x {} pixels, with {}{} and {} rays per pixel.\n",
              scene.name, scene.flat.camera.width, scene.flat.camera.height, coursework.name,
-             options.raysPerPixel);
+             estimator == Estimator::kMis ? ", part 8," : "", options.raysPerPixel);
   const RenderedImage made = renderScene(coursework, scene, options).rendered;
   if (!made.complete) throw Interrupted{};
   ImageFile file{made.image, {}};
@@ -50,7 +62,7 @@ BenchReference make(const LoadedScene& scene, const Coursework& coursework, std:
   file.origin.raysPerPixel = made.raysPerPixel;
   file.origin.replicates = kReplicates;
   file.origin.seed = kSeed;
-  writeImage(keptFile(scene, coursework, rays), file.image, 1.0, file.origin);
+  writeImage(keptFile(scene, coursework, estimator, rays), file.image, 1.0, file.origin);
   return asReference(std::move(file));
 }
 
@@ -72,12 +84,13 @@ BenchReference referenceFor(const LoadedScene& scene, const Coursework& coursewo
   if (!file.empty()) return fromFile(scene, file);
   std::optional<ImageFile> shipped = readReference(scene);
   if (shipped && !shipped->image.variance.empty()) return asReference(std::move(*shipped));
-  const fs::path kept = keptFile(scene, coursework, raysPerPixel);
+  const Estimator estimator = bestEstimator(coursework);
+  const fs::path kept = keptFile(scene, coursework, estimator, raysPerPixel);
   if (fs::exists(kept)) {
     ImageFile image = readImage(kept);
     if (fits(image, scene) && !image.image.variance.empty()) return asReference(std::move(image));
   }
-  return make(scene, coursework, raysPerPixel);
+  return make(scene, coursework, estimator, raysPerPixel);
 }
 
 }  // namespace pathmark::bench

@@ -18,8 +18,8 @@ struct BenchReference {
 };
 
 // From `file` if one is named; else the shipped one, if it fits the scene; else one made with the
-// coursework, which is kept in the build folder. Throws UsageError, ImageError, WorkerError, and
-// Interrupted.
+// coursework, by its part 8 where that is written, which is kept in the build folder. Throws
+// UsageError, ImageError, WorkerError, and Interrupted.
 BenchReference referenceFor(const LoadedScene& scene, const Coursework& coursework,
                             std::uint64_t raysPerPixel, const std::string& file);
 

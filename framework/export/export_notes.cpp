@@ -50,8 +50,7 @@ std::vector<std::string> exportNotes(const WorldScene& scene, ExportFormat forma
   if (pbrt) {
     notes.emplace_back(
         "pbrt's surfaces reflect on both sides, and here the backs are black: images differ where "
-        "a "
-        "back is seen or lit.");
+        "a back is seen or lit.");
     notes.emplace_back(
         "pbrt renders spectra: colours are turned into smooth spectra and back, which changes "
         "light that is reflected several times by a few per cent.");

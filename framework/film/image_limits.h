@@ -2,6 +2,7 @@
 #pragma once
 
 #include "film/image.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +11,11 @@
 namespace pathmark {
 
 constexpr std::int64_t kMostPixelsPerSide = 65536;
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;  // as many as a render may have
 
 // Before anything of that size is allocated. Throws ImageError.
 inline void requireImageSize(std::int64_t width, std::int64_t height) {
   if (width >= 1 && height >= 1 && width <= kMostPixelsPerSide && height <= kMostPixelsPerSide &&
-      width * height <= kMostPixels)
+      static_cast<std::uint64_t>(width * height) <= kMostPixels)
     return;
   throw ImageError(
       fmt::format("its size is said to be {}x{}, and allowed is from 1 to {} pixels a side and at "

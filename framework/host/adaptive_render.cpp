@@ -12,10 +12,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kScribbled =
-    "The film holds values that the framework never writes: coursework must not write outside its "
-    "own variables.";
-
 // A film's means as if every pixel had one ray, so that films with more count no more.
 std::vector<FilmPixel> means(std::span<const FilmPixel> film) {
   std::vector<FilmPixel> result(film.begin(), film.end());

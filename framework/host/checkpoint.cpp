@@ -5,6 +5,7 @@
 #include "film/atomic_file.h"
 #include "host/content_hash.h"
 #include "light_paths/expression.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 
@@ -139,13 +140,13 @@ bool isPossible(const PathSharing& sharing) {
 // The numbers fit together, and none is so large that a calculation with it could overflow.
 bool isPossible(const Header& header) {
   constexpr std::uint32_t kLargestSide = 1u << 26;
-  constexpr std::uint64_t kMostPixels = 1u << 26, kMostRays = 1000000000, kMost = 1ull << 62;
+  constexpr std::uint64_t kMost = 1ull << 62;
   const auto within = [](std::uint64_t value, std::uint64_t low, std::uint64_t high) {
     return value >= low && value <= high;
   };
   if (!within(header.width, 1, kLargestSide) || !within(header.height, 1, kLargestSide) ||
       std::uint64_t{header.width} * header.height > kMostPixels ||
-      !within(header.raysPerPixel, 1, kMostRays) ||
+      !within(header.raysPerPixel, 1, kMostRaysPerPixel) ||
       !within(header.replicates, 1, header.raysPerPixel) ||
       header.raysPerPixel % header.replicates != 0 ||
       header.estimator > static_cast<std::uint8_t>(Estimator::kReuse) ||

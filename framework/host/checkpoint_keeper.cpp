@@ -57,7 +57,8 @@ CheckpointKeeper::CheckpointKeeper(const fs::path& picture, CheckpointIdentity i
 
 RenderState CheckpointKeeper::begin() {
   written_ = Clock::now();
-  if (!options_.resume) {
+  const bool isHopeless = options_.resumeOnlyIfPossible && isThere(file_) && !readHeader().empty();
+  if (!options_.resume || isHopeless) {
     look();
     return {};
   }
@@ -87,17 +88,21 @@ RenderState CheckpointKeeper::readOrRefuse() {
                   file_.string(), why));
 }
 
+// Returns why this render cannot go on from it; nothing if it can.
+std::string CheckpointKeeper::readHeader() {
+  try {
+    Checkpoint checkpoint = readCheckpointHeader(file_);
+    earlier_ = std::move(checkpoint.state);
+    return whyNotContinued(checkpoint, identity_);
+  } catch (const CheckpointError& e) {
+    return e.what();
+  }
+}
+
 // A render that does not go on from what is there.
 void CheckpointKeeper::look() {
   if (!isThere(file_)) return;
-  std::string why;
-  try {
-    Checkpoint checkpoint = readCheckpointHeader(file_);
-    why = whyNotContinued(checkpoint, identity_);
-    earlier_ = std::move(checkpoint.state);
-  } catch (const CheckpointError& e) {
-    why = e.what();
-  }
+  const std::string why = readHeader();
   found_ = why.empty() ? Found::kEarlier : Found::kForeign;
   if (found_ == Found::kEarlier)
     fmt::print(stderr,

@@ -14,8 +14,9 @@ namespace pathmark {
 
 struct CheckpointOptions {
   bool resume = false;
-  bool keep = false;           // also when the picture is complete
-  double everySeconds = 60.0;  // 0: no checkpoints
+  bool resumeOnlyIfPossible = false;  // and else start afresh, which is no error
+  bool keep = false;                  // also when the picture is complete
+  double everySeconds = 60.0;         // 0: no checkpoints
 };
 
 // Throws UsageError where no file can have the name of the picture's checkpoint, which is longer
@@ -55,6 +56,7 @@ class CheckpointKeeper {
     kForeign,  // of another one, or unreadable
   };
 
+  std::string readHeader();
   void look();
   RenderState readOrRefuse();
   std::string write(const RenderState& state);

@@ -1,5 +1,6 @@
 // Which checkpoints a render can go on from, and with what options.
 #include "host/checkpoint.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 
@@ -51,9 +52,9 @@ std::string differentSettings(const CheckpointIdentity& has, const CheckpointIde
 }
 
 // The most that the command line takes.
-constexpr std::uint64_t kMostRays = 1000000000, kMostReplicates = 1024;
+constexpr std::uint64_t kMostReplicates = 1024;
 
-std::uint64_t wholePass() { return raysPerPass(kMostRays); }
+std::uint64_t wholePass() { return raysPerPass(kMostRaysPerPixel); }
 
 std::string optionsOf(std::uint64_t raysPerReplicate, std::uint64_t replicates) {
   return replicates == 1 ? fmt::format("--rays-per-pixel {}", raysPerReplicate)
@@ -65,9 +66,9 @@ std::string optionsOf(std::uint64_t raysPerReplicate, std::uint64_t replicates) 
 std::string refiningOptions(const RenderSettings& made) {
   const std::uint64_t each = made.raysPerReplicate();
   if (made.replicates == 1)
-    return each % wholePass() == 0 && 2 * each <= kMostRays ? optionsOf(2 * each, 1) : "";
+    return each % wholePass() == 0 && 2 * each <= kMostRaysPerPixel ? optionsOf(2 * each, 1) : "";
   const std::uint64_t more = std::min(std::uint64_t{2} * made.replicates, kMostReplicates);
-  return more > made.replicates && each * more <= kMostRays ? optionsOf(each, more) : "";
+  return more > made.replicates && each * more <= kMostRaysPerPixel ? optionsOf(each, more) : "";
 }
 
 // What a render can go on from the checkpoint with: with as many replicates as are wanted, if that
@@ -78,7 +79,7 @@ std::string whatGoesOn(const Checkpoint& checkpoint, const RenderSettings& wante
   const bool complete = finished(has, checkpoint.state);
   std::string options = complete ? refiningOptions(has) : optionsOf(each, has.replicates);
   if (has.replicates > 1 && wanted.replicates > has.replicates &&
-      each * wanted.replicates <= kMostRays)
+      each * wanted.replicates <= kMostRaysPerPixel)
     options = optionsOf(each, wanted.replicates);
   if (options.empty()) return "it is complete, and cannot be refined";
   if (has.replicates == 1 && wanted.replicates > 1) options += " and without --replicates";
@@ -133,7 +134,7 @@ std::string howToRefine(const RenderSettings& made) {
   if (options.empty())
     return fmt::format(
         "The picture cannot be refined: a render has at most {} rays per pixel and {} replicates.",
-        kMostRays, kMostReplicates);
+        kMostRaysPerPixel, kMostReplicates);
   return fmt::format("To refine the picture: --resume with more {}, such as {}.",
                      made.replicates == 1
                          ? "rays per pixel"

@@ -8,6 +8,7 @@
 #include "host/options.h"
 #include "host/output_file.h"
 #include "host/session.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -69,8 +70,7 @@ void refuseOutput(const SheetArguments& arguments, std::size_t scenes) {
     throw UsageError(fmt::format("--output {}: a contact sheet is a .png file.", file.string()));
   requirePlaceForFile("--output", file);
   // A pixel takes 12 bytes while it is drawn.
-  constexpr double kMostPixels = 0x1p26;
-  if (static_cast<double>(scenes) * arguments.thumbnail * arguments.thumbnail > kMostPixels)
+  if (static_cast<double>(scenes) * arguments.thumbnail * arguments.thumbnail > double{kMostPixels})
     throw UsageError(fmt::format(
         "{} pictures of {} pixels do not fit on one sheet; a smaller --thumbnail helps.", scenes,
         arguments.thumbnail));
@@ -189,7 +189,7 @@ void addContactSheetCommand(CLI::App& app, CommandAction& action) {
       ->type_name("DIR");
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: 256)"),
-                   1, 1000000000);
+                   1, kMostRaysPerPixel);
   takesWholeNumber(command->add_option("--thumbnail", arguments->thumbnail,
                                        "Longer side of each picture in pixels (default: 160)"),
                    16, 1024);

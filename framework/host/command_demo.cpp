@@ -6,6 +6,7 @@
 #include "host/exit_code.h"
 #include "host/options.h"
 #include "host/session.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -96,7 +97,7 @@ void addDemoCommand(CLI::App& app, CommandAction& action) {
       app.add_subcommand("demo", "Install what is missing, build, and render two scenes");
   takesWholeNumber(
       command->add_option("--rays-per-pixel", *rays, "Rays through each pixel (default: 64)"), 1,
-      1000000000);
+      kMostRaysPerPixel);
   command->footer(
       "Examples:\n"
       "  ./pathmark demo\n"

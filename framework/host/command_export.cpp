@@ -11,6 +11,7 @@
 #include "host/session.h"
 #include "host/shell_word.h"
 #include "host/size_option.h"
+#include "scene/limits.h"
 #include "scene/utf8.h"
 
 #include <fmt/format.h>
@@ -152,7 +153,7 @@ void addExportCommand(CLI::App& app, CommandAction& action) {
       ->type_name("FILE");
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: the scene's)"),
-                   1, 1000000000);
+                   1, kMostRaysPerPixel);
   command->add_option("--size", arguments->size, "Width x height, such as 640x480")
       ->type_name("WxH");
   takesWholeNumber(command->add_option("--max-bounces", arguments->maxBounces,

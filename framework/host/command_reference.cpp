@@ -13,6 +13,7 @@
 #include "host/reference.h"
 #include "host/render_picture.h"
 #include "host/session.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -99,6 +100,7 @@ int make(const Coursework& coursework, const LoadedScene& scene,
   request.options.seed = kSeed;
   request.options.sampler = findSampler(arguments.sampler);
   request.checkpoints.resume = fs::exists(request.output.string() + ".checkpoint");
+  request.checkpoints.resumeOnlyIfPossible = true;
   std::optional<ImageFile> rendered = readRendered(request.output, scene, arguments);
   if (!rendered) {
     if (const int code = renderPicture(coursework, scene, request); code != kSuccess) return code;
@@ -165,7 +167,7 @@ void addReferenceCommand(CLI::App& app, CommandAction& action) {
       ->type_name("");
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: 1024)"),
-                   2, 1000000000);
+                   2, kMostRaysPerPixel);
   takesWholeNumber(command->add_option("--replicates", arguments->replicates,
                                        "Independent parts that the error is measured between "
                                        "(default: 16)"),

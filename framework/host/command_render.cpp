@@ -9,6 +9,7 @@
 #include "host/output_file.h"
 #include "host/render_picture.h"
 #include "host/size_option.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -47,7 +48,6 @@ struct RenderArguments {
 
 // A film pixel takes 32 bytes.
 void refuseLargeImages(const LoadedScene& scene) {
-  constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
   const FlatCamera& camera = scene.flat.camera;
   if (std::uint64_t{camera.width} * camera.height > kMostPixels)
     throw UsageError(fmt::format("A size of {}x{} has more than {} pixels, which is the most.",
@@ -275,7 +275,7 @@ void addRenderCommand(CLI::App& app, CommandAction& action) {
       ->type_name("DIR");
   takesWholeNumber(command->add_option("--rays-per-pixel", arguments->raysPerPixel,
                                        "Rays through each pixel (default: the scene's)"),
-                   1, 1000000000);
+                   1, kMostRaysPerPixel);
   takesText(command->add_option("--size", arguments->size, "Width x height, such as 640x480"),
             "WxH", "a width and a height such as 640x480");
   takesWholeNumber(

@@ -76,8 +76,7 @@ std::string verdictSentence(const CompareReport& report) {
                        count(3 * comparison.pixels.count, "value"));
   return fmt::format(
       "They differ: {} of 3 means of the image, and {} of {} means of tiles, are further apart "
-      "than "
-      "{}{}.",
+      "than {}{}.",
       differing(comparison.whole), differing(comparison.tiles), comparison.tiles.size(),
       criterion(report), comparison.replicates.any() ? accepted : "");
 }

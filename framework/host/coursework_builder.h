@@ -46,7 +46,7 @@ struct CourseworkBuild {
   // In which it was compiled, all its workers are linked, and they must run; often none.
   std::shared_ptr<Confinement> confinement;
 
-  bool complete() const;        // every part compiled, and the worker linked
+  bool complete() const;        // every part compiled
   std::string failure() const;  // sentences about what did not, with the compiler's words
 };
 

@@ -1,7 +1,7 @@
 // Where a value that is no radiance comes from.
 //
-//   firstInvalid    the function that was the first to return one, or to pass one on, on recorded
-//   paths invalidOrigin   the same of a rendered pixel, whose rays are made again for that
+//   firstInvalid    the first function, on recorded paths, that returned one or passed one on
+//   invalidOrigin   the same of a rendered pixel, whose rays are made again for that
 #pragma once
 
 #include "host/render_state.h"

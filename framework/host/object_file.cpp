@@ -70,6 +70,16 @@ bool hasEarlyFunction(std::span<const std::byte> bytes, const Elf64_Shdr& symbol
   return false;
 }
 
+// Removed unless it has got its name.
+struct Scratch {
+  std::string path;
+  bool isThere = false;
+
+  ~Scratch() {
+    if (isThere) unlink(path.c_str());
+  }
+};
+
 }  // namespace
 
 bool takeFile(const fs::path& from, const fs::path& to, std::size_t largest) {
@@ -78,19 +88,22 @@ bool takeFile(const fs::path& from, const fs::path& to, std::size_t largest) {
   if (in.fd < 0 || fstat(in.fd, &status) != 0 || !S_ISREG(status.st_mode) ||
       static_cast<std::uintmax_t>(status.st_size) > largest)
     return false;
-  std::string made = to.string() + ".XXXXXX";
-  const Descriptor out{mkostemp(made.data(), O_CLOEXEC)};
+  Scratch made{to.string() + ".XXXXXX"};
+  const Descriptor out{mkostemp(made.path.data(), O_CLOEXEC)};
   if (out.fd < 0) fail(to);
+  made.isThere = true;
   std::vector<char> chunk(std::size_t{256} << 10);
-  for (std::size_t taken = 0; taken <= largest;) {
+  for (std::size_t taken = 0;;) {
     const ssize_t n = read(in.fd, chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) break;
-    taken += static_cast<std::size_t>(n);
-    writeAll(out.fd, chunk.data(), static_cast<std::size_t>(n), made);
+    if (n == 0) break;
+    taken += static_cast<std::size_t>(std::max<ssize_t>(n, 0));
+    if (n < 0 || taken > largest) return false;  // it has grown, or cannot be read
+    writeAll(out.fd, chunk.data(), static_cast<std::size_t>(n), made.path);
   }
   const mode_t mode = (status.st_mode & S_IXUSR) != 0 ? 0755 : 0644;
-  if (fchmod(out.fd, mode) != 0 || rename(made.c_str(), to.c_str()) != 0) fail(to);
+  if (fchmod(out.fd, mode) != 0 || rename(made.path.c_str(), to.c_str()) != 0) fail(to);
+  made.isThere = false;
   return true;
 }
 

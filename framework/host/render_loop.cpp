@@ -14,10 +14,6 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr const char* kScribbled =
-    "The film holds values that the framework never writes: coursework must not write outside its "
-    "own variables.";
-
 // The first step's: hundredths of a second for a scene of the coursework, and not long for one of
 // which every ray takes a thousand times as much.
 constexpr double kFirstPixelPasses = 1024.0;

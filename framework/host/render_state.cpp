@@ -83,12 +83,11 @@ RenderJob nextJob(const RenderSettings& settings, const RenderState& state, doub
     return job;
   }
   // Whole rows of tiles keep all threads at work.
-  constexpr int kTileRows = 16;
   const int row = static_cast<int>(state.row), left = settings.height - row;
-  const double tileRows = pixelPasses / (static_cast<double>(settings.width) * kTileRows);
-  const int rows = tileRows * kTileRows >= left
+  const double tileRows = pixelPasses / (static_cast<double>(settings.width) * kTileSize);
+  const int rows = tileRows * kTileSize >= left
                        ? left
-                       : std::min(left, std::max(1, static_cast<int>(tileRows)) * kTileRows);
+                       : std::min(left, std::max(1, static_cast<int>(tileRows)) * kTileSize);
   job.region = {0, row, settings.width, rows};
   job.rays = raysOfPass(settings, state.firstRay);
   return job;

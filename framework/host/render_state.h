@@ -51,6 +51,9 @@ struct RenderState {
 // Whether the framework can have written this into a film: sums of radiances, of at most so many
 // rays.
 bool isPossible(const FilmPixel& pixel, double mostRays);
+inline constexpr const char* kScribbled =
+    "The film holds values that the framework never writes: coursework must not write outside its "
+    "own variables.";
 
 // Rays of one renderPixel call: the smaller of N and 64.
 std::uint32_t raysPerPass(std::uint64_t raysPerPixel);

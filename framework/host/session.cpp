@@ -137,7 +137,10 @@ std::string sceneHash(const LoadedScene& scene) {
 
 void letThrough(const PathExpression& paths, const FlatScene& scene, RenderSettings& settings) {
   settings.paths = paths.text();
-  settings.automaton = automatonFor(paths, lobesPresent(viewOf(scene)));
+  const LobesPresent lobes = lobesPresent(viewOf(scene));
+  const PathAutomaton automaton = automatonFor(paths, lobes);
+  // All light is let through by no filter at all, bit for bit.
+  settings.automaton = isAllLight(automaton, lobes) ? PathAutomaton{} : automaton;
 }
 
 RenderSettings settingsFor(const LoadedScene& scene, const RenderOptions& options) {

@@ -12,6 +12,9 @@ bool StubReport::isUnwritten(CourseworkFunction f) const {
 
 bool isUsed(const FunctionContract& f, Estimator estimator, LightSampling lights) {
   if ((f.part == 0) != (estimator == Estimator::kWarmUp)) return false;
+  // Other ways of rendering than renderPixel make the camera rays themselves.
+  if (f.part == 1) return estimator == Estimator::kPath;
+  if (f.function == CourseworkFunction::kTracePath) return estimator != Estimator::kMis;
   if (f.part == 8) return estimator == Estimator::kMis;
   if (f.part == 9) return lights == LightSampling::kBySolidAngle;
   return true;

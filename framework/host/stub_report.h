@@ -19,7 +19,8 @@ struct StubReport {
 };
 
 // Whether pictures that are made in this way come from the function: part 0 stands alone, and the
-// other parts do without it and without the bonus parts, unless these are asked for.
+// other parts do without it and without the bonus parts, unless these are asked for. Of a function
+// that the coursework may call or not, true.
 bool isUsed(const FunctionContract& f, Estimator estimator, LightSampling lights);
 
 // Records that name no function of the contract are left out.

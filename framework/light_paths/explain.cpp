@@ -78,7 +78,7 @@ std::vector<PlanLine> explainLightPaths(const PathExpression& expression,
   if (scattering->fewest > scene.maxBounces)
     return {nothing(text, fmt::format("its paths have at least {}, and maxBounces is {}",
                                       events(scattering->fewest), scene.maxBounces))};
-  if (automaton == automatonFor(PathExpression("L.*E"), lobes))
+  if (isAllLight(automaton, lobes))
     return {{kLine, fmt::format("{}: all of the scene's", text),
              "the picture is bit for bit that without --paths"}};
   return {{kLine, text, "shadow rays and surfaces that cannot complete such a path are left out"},

@@ -192,6 +192,10 @@ PathAutomaton automatonFor(const PathExpression& expression, const LobesPresent&
   return minimal(determined(Steps(expression), lobes));
 }
 
+bool isAllLight(const PathAutomaton& automaton, const LobesPresent& lobes) {
+  return automaton == automatonFor(PathExpression("L.*E"), lobes);
+}
+
 std::optional<Scattering> scatteringOf(const PathAutomaton& automaton) {
   if (automaton.start == PathAutomaton::kDead) return std::nullopt;
   return Scattering{shortestPath(automaton), LongestPath(automaton).from(automaton.start)};

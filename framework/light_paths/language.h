@@ -2,6 +2,7 @@
 //
 //   LobesPresent    the lobes that the surfaces of a scene have
 //   automatonFor    the paths of an expression that such a scene can have
+//   isAllLight      whether they are all that there are
 //   Scattering      between how many scattering events the paths have
 #pragma once
 
@@ -25,6 +26,9 @@ LobesPresent lobesPresent(const FlatSceneView& scene);
 // Minimal, with its states in the order in which they are reached from the eye: two expressions for
 // the same paths give the same automaton. Throws ExpressionError if it needs too many states.
 PathAutomaton automatonFor(const PathExpression& expression, const LobesPresent& lobes = {});
+
+// Whether the paths are all that bring light to the eye.
+bool isAllLight(const PathAutomaton& automaton, const LobesPresent& lobes);
 
 struct Scattering {
   std::size_t fewest = 0;

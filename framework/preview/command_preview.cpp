@@ -6,6 +6,7 @@
 #include "host/session.h"
 #include "preview/app.h"
 #include "preview/remembered.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -167,7 +168,7 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       ->type_name("STOPS");
   takesWholeNumber(
       command->add_option("--after-rays", arguments->rays, "Stop at so many rays per pixel"), 1,
-      1000000000);
+      kMostRaysPerPixel);
   command
       ->add_option("--screenshot", arguments->screenshot,
                    "Write the window as a PNG file after those rays, and end")

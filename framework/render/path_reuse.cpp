@@ -2,6 +2,7 @@
 
 #include "render/camera_rays.h"
 #include "render/first_surface.h"
+#include "render/radiance.h"
 #include "render/ray_count.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace {
 
 // Keep the paths' numbers apart from the camera rays', which are made of the same seeds.
 constexpr std::uint64_t kDirectStream = 0x646972656374ull, kStream = 0x72657573656dull;
-
-// What a student's function returns may be no radiance: then it stays with its own pixel.
-bool isRadiance(const Colour& c) {
-  return std::isfinite(c.r + c.g + c.b) && std::min({c.r, c.g, c.b}) >= 0.0f;
-}
 
 }  // namespace
 
@@ -163,6 +159,7 @@ void PathReuse::findSecond(Path& path, Sampler& sampler) const {
   path.meetsSecond = path.light != Colour(0.0f);
   path.wi = next.wi;
   path.pdf = next.pdf;
+  // What a student's function returns may be no radiance: then it stays with its own pixel.
   path.lightsAll = path.meetsSecond && isRadiance(path.light) &&
                    core_.lobesOf(*y.brdf).shares().specular == 0.0f && dot(y.n, next.wi) < 0.0f;
 }

@@ -205,7 +205,7 @@ class TileRenderer {
   // So many rays of each pixel. Returns false when the host has asked to stop.
   bool render(const Tile& tile, std::uint64_t rays) {
     const PixelBlock shape = blockOf(job_.sharing.pixels);
-    // Blocks are the same wherever tiles begin.
+    // Blocks lie on the grid of the image; those at the edge of a tile are cut off there.
     for (int j = tile.top / shape.height * shape.height; j < tile.bottom; j += shape.height)
       for (int i = tile.left / shape.width * shape.width; i < tile.right; i += shape.width) {
         const int left = std::max(i, tile.left), top = std::max(j, tile.top);

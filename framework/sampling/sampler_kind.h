@@ -19,7 +19,8 @@ enum class SamplerKind : std::uint32_t {
 inline constexpr std::array<std::string_view, 3> kSamplerNames{"sobol", "stratified", "pcg"};
 
 constexpr std::string_view nameOf(SamplerKind kind) {
-  return kSamplerNames[static_cast<std::size_t>(kind)];
+  const auto k = static_cast<std::size_t>(kind);
+  return k < kSamplerNames.size() ? kSamplerNames[k] : "corners";
 }
 
 constexpr std::optional<SamplerKind> samplerNamed(std::string_view name) {

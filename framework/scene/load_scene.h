@@ -1,8 +1,7 @@
 // loadScene: a scene file, checked, normalised and flattened for a worker.
 //
 //   LoadedScene   what a render needs to know of a scene
-//   SceneError    one sentence for a person: file, line, JSON pointer, what was found, what is
-//   allowed
+//   SceneError    a sentence for a person: file, line, JSON pointer, what was found and is allowed
 #pragma once
 
 #include "scene/flat_scene.h"

@@ -1,5 +1,7 @@
 #include "scene/validate.h"
 
+#include "scene/limits.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@ namespace pathmark {
 namespace {
 
 constexpr double kMostBounces = 1000.0;
-constexpr double kMostRays = 1e9;
 constexpr double kLargestExponent = 1e6;
 constexpr double kBrightest = 1e30;
 constexpr double kDarkest = 1e-30;  // what is below underflows where it is divided and multiplied
@@ -176,7 +177,7 @@ void validate(const SceneDescription& scene, const SceneSource& source) {
   requireWhole(scene.size[1], 1.0, kLargestSide, "the height in pixels", Place(size, 1));
   requireWhole(scene.maxBounces, 0.0, kMostBounces, "the number of bounces",
                Place(top, "maxBounces"));
-  requireWhole(scene.raysPerPixel, 1.0, kMostRays, "the number of rays",
+  requireWhole(scene.raysPerPixel, 1.0, double{kMostRaysPerPixel}, "the number of rays",
                Place(top, "raysPerPixel"));
   if (!(scene.exposure > 0.0 && scene.exposure <= kBrightest)) {
     Place(top, "exposure")

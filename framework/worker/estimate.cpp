@@ -1,5 +1,6 @@
 #include "worker/estimate.h"
 
+#include "render/radiance.h"
 #include "sampling/pixel_sampler.h"
 #include "worker/contract.h"
 
@@ -41,12 +42,6 @@ OneRay tracePathCall(std::span<const std::uint32_t> words, const SceneCore& core
   return [scene = LitScene(core, static_cast<int>(words[6])), ray, mis](Sampler& sampler) {
     return mis ? scene.tracePathMIS(ray, sampler) : scene.tracePath(ray, sampler);
   };
-}
-
-bool isRadiance(const Colour& c) {
-  for (int k = 0; k < 3; ++k)
-    if (!(std::isfinite(c[k]) && c[k] >= 0.0f)) return false;
-  return true;
 }
 
 Estimate meanOf(const OneRay& oneRay, PixelSampler& sampler, std::uint64_t rays) {

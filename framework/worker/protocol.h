@@ -97,7 +97,7 @@ struct EstimateRequest {
 };
 
 struct Estimate {
-  double mean[3] = {0.0, 0.0, 0.0};  // radiance; of the valid values only
+  double mean[3] = {0.0, 0.0, 0.0};  // radiance; of the valid values, NaN without any
   std::uint64_t invalid = 0;         // values that are not finite, or negative
 };
 

@@ -9,6 +9,7 @@
 #include "host/progress_bar.h"
 #include "host/session.h"
 #include "pairs/pair_table.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -78,7 +79,7 @@ void addPairsCommand(CLI::App& app, CommandAction& action) {
       app.add_subcommand("pairs", "Try the checks on mistakes that hide each other in the picture");
   command->add_option("names", arguments->names, "Pairs; all by default")->type_name("PAIR");
   takesWholeNumber(command->add_option("--seed", arguments->seed, "Of pictures and checks (1)"), 0,
-                   1000000000);
+                   kMostRaysPerPixel);
   takesWholeNumber(
       command->add_option("--threads", arguments->threads, "One for each processor by default"), 1,
       1024);

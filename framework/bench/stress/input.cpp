@@ -5,6 +5,7 @@
 // them nothing but such numbers.
 #include "bench/stress/stress.h"
 #include "bench/stress/words.h"
+#include "render/radiance.h"
 #include "sampling/corner_sampler.h"
 
 #include <fmt/format.h>
@@ -27,7 +28,6 @@ bool isFinite(const vec3& v) {
 }
 bool isDirection(const vec3& v) { return isFinite(v) && std::abs(length(v) - 1.0f) < kUnit; }
 bool isDensity(float pdf) { return std::isfinite(pdf) && pdf >= 0.0f; }
-bool isRadiance(const vec3& c) { return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f; }
 
 std::vector<vec2> cornerPairs() {
   std::vector<vec2> pairs;
