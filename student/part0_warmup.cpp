@@ -42,8 +42,8 @@ bool ray_mesh_intersection(float& /*t*/, Triangle& /*triangle*/, const Ray& /*ra
 //   v.x += 1664525 v.y;  v.y += 1664525 v.x;  v ^= v >> 16
 //   v.x += 1664525 v.y;  v.y += 1664525 v.x;  v ^= v >> 16
 //
-// The new v is the new seed, and the two numbers are made from it. They must lie in [0,1): take
-// care that none rounds to 1, which 32 bits times 2^-32 in float can do.
+// The new v is the new seed, and the two numbers are v.x / 2^32 and v.y / 2^32, to six digits. They
+// must lie in [0,1): take care that none rounds to 1, which 32 bits times 2^-32 in float can do.
 //
 //   seed   read, and set to the new v; from (0,0) it becomes (0x18e431a7, 0x055df4d1)
 //

@@ -291,8 +291,7 @@ void addGradeCommand(CLI::App& app, CommandAction& action) {
       "Ctrl-C keeps what is done; the same command goes on, and grades anew what ran out of "
       "time.\n"
       "What cannot be graded, such as an archive that is damaged or a folder without part*.cpp, "
-      "has "
-      "a row without marks, and the reason.\n"
+      "has a row without marks, and the reason.\n"
       "Exit code: 0 if all others were graded, whatever their marks; 2 for a wrong command line; 3 "
       "if the grader or the machine failed at one; 130 if interrupted.");
   command->callback([arguments, &action] { action = [arguments] { return grade(*arguments); }; });

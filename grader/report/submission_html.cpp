@@ -176,8 +176,8 @@ Markup howItWasMade(const SubmissionRecord& record, const rubric::Marks& marks) 
   rows += term("took", fmt::format("{:.0f} s", record.seconds));
   return markup(
       "<section class=\"part\"><h2>How these marks were made</h2>\n<p>Each part was linked with "
-      "the "
-      "solutions of all others, so that no mistake is counted twice, and asked with random inputs. "
+      "the solutions of all others, so that no mistake is counted twice, and asked with random "
+      "inputs. "
       "The same seed gives the same marks, on any number of threads:</p>\n"
       "<pre tabindex=\"0\"><code>{}</code></pre>\n"
       "<p>With these files in student/ anybody can ask the checks again, with the same inputs; "
