@@ -1,5 +1,6 @@
 #include "scene/shape_geometry.h"
 
+#include "scene/limits.h"
 #include "scene/obj_mesh.h"
 #include "scene/place.h"
 #include "scene/syntax_sentence.h"
@@ -10,8 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace pathmark {
@@ -78,7 +81,7 @@ class GeometryMaker {
     if (shape.kind == ShapeKind::kBox) {
       shape.vertices = boxCorners(shape);
     } else {
-      Mesh mesh = read(findMesh(shape, source_, Place(place, "file")), shape.file);
+      Mesh mesh = read(shape, Place(place, "file"));
       shape.vertices = std::move(mesh.vertices);
       shape.triangles = std::move(mesh.triangles);
     }
@@ -87,15 +90,29 @@ class GeometryMaker {
 
  private:
   // A file that several shapes share is read once, and kept until the last of them.
-  Mesh read(const fs::path& file, const fs::path& name) {
-    const bool isLast = --uses_[name] == 0;
-    const auto found = meshes_.find(name);
-    if (found == meshes_.end()) {
-      Mesh mesh = readObj(file);
-      if (!isLast) meshes_.emplace(name, mesh);
-      return mesh;
-    }
-    return isLast ? std::move(found->second) : found->second;
+  Mesh read(const ShapeDescription& shape, const Place& place) {
+    const fs::path file = findMesh(shape, source_, place), name(shape.file);
+    auto found = meshes_.find(name);
+    if (found == meshes_.end()) found = meshes_.emplace(name, readObj(file)).first;
+    count(found->second, place);
+    if (--uses_[name] > 0) return found->second;
+    Mesh last = std::move(found->second);
+    meshes_.erase(found);
+    return last;
+  }
+
+  // Before it is copied: a mesh takes far more memory than the lines that name it.
+  void count(const Mesh& mesh, const Place& place) {
+    const auto add = [&](std::uint64_t& sum, std::size_t more, std::uint64_t most,
+                         std::string_view what) {
+      sum += more;
+      if (sum > most) {
+        place.refuse(fmt::format("a mesh with which the scene has {} {}", sum, what),
+                     fmt::format("the meshes of a scene may have at most {} together", most));
+      }
+    };
+    add(triangles_, mesh.triangles.size(), kMostMeshTriangles, "triangles");
+    add(vertices_, mesh.vertices.size(), kMostMeshVertices, "vertices");
   }
 
   static void put(ShapeDescription& shape, const Place& place) {
@@ -121,6 +138,7 @@ class GeometryMaker {
   const SceneSource& source_;
   std::map<fs::path, std::size_t> uses_;  // that are still to come
   std::map<fs::path, Mesh> meshes_;
+  std::uint64_t triangles_ = 0, vertices_ = 0;  // of all meshes so far
 };
 
 }  // namespace

@@ -105,6 +105,31 @@ TEST(MeshErrorsOfFiles, AFaceMayHaveAThousandVertices) {
              {"m.obj:4:", "at most 1000"});
 }
 
+// A mesh of 2^18 triangles, or vertices, and more than 2^6 shapes that are it.
+TEST(MeshErrorsOfFiles, TheMeshesOfASceneMayHaveSixteenMillionTrianglesAndVerticesTogether) {
+  const auto shapes = [](int count) {
+    std::string text;
+    for (int k = 0; k < count; ++k)
+      text += R"({"type": "mesh", "material": "a", "file": "m.obj"},)";
+    text.pop_back();
+    return text;
+  };
+  constexpr int kMany = 1 << 18;
+  SceneFolder folder;
+  std::string triangles = kThree;
+  for (int i = 0; i < kMany; ++i) triangles += "f 1 2 3\n";
+  folder.write("m.obj", triangles);
+  expectSays(errorOf(folder, shapes(65)),
+             {"/shapes/64/file: found a mesh with which the scene has 17039360 triangles",
+              "the meshes of a scene may have at most 16777216 together"});
+  std::string fan;
+  for (int i = 0; i < kMany; ++i) fan += fmt::format("v {} {} 0\n", i, i % 2);
+  for (int i = 0; i + 2 < kMany; i += 3) fan += fmt::format("f {} {} {}\n", i + 1, i + 2, i + 3);
+  folder.write("m.obj", fan);
+  expectSays(errorOf(folder, shapes(70)),
+             {"found a mesh with which the scene has", " vertices", "at most 16777216 together"});
+}
+
 TEST(MeshErrorsOfFiles, TheLineIsRightInALongFile) {
   SceneFolder folder;
   std::string text = kThree;
