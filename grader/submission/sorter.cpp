@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::size_t kMostNotes = 20;
 constexpr std::size_t kMostNearMisses = 5;
+constexpr std::size_t kMostScenes = 32;  // each is rendered twice
+constexpr std::size_t kMostNamed = 5;
 constexpr std::size_t kLongestShown = 120;
 
 constexpr double kMebibyte = 1 << 20;
@@ -29,6 +31,13 @@ constexpr std::array<std::string_view, 7> kProjectFolders{
 
 std::string joined(const std::vector<std::string>& path) {
   return shown(fmt::format("{}", fmt::join(path, "/")), kLongestShown);
+}
+
+// "a, b, c", or with many of them "a, b, c, d, e and 7 more".
+std::string inOneList(const std::vector<std::string>& names) {
+  const std::size_t named = std::min(names.size(), kMostNamed), more = names.size() - named;
+  return fmt::format("{}{}", fmt::join(names.data(), names.data() + named, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 bool endsWith(const std::string& name, std::string_view ending) {
@@ -162,6 +171,13 @@ void Sorter::noteNearMisses() {
   }
 }
 
+void Sorter::noteLeftOut(const std::vector<std::string>& scenes) {
+  if (scenes.empty()) return;
+  noteRefusal(scenes.front(),
+              fmt::format("{} {} left out: of the scenes the first {} by name are taken.",
+                          inOneList(scenes), scenes.size() == 1 ? "was" : "were", kMostScenes));
+}
+
 void Sorter::take(const Entry& entry, const ReadEntry& read) {
   if (++entries_ > limits_.entries)
     throw Refusal(fmt::format("it holds more than {} files and folders", limits_.entries));
@@ -212,38 +228,40 @@ void Sorter::keep(Path path, const Entry& entry, const ReadEntry& read) {
   candidates_.push_back(std::move(candidate));
 }
 
-// Whether the file lies in another folder of a project whose student/ has been handed in as well.
-bool Sorter::belongsToTheProject(const Candidate& candidate) const {
-  const Path folder = candidate.folder();
-  for (const Candidate& other : candidates_) {
-    const Path home = other.folder();
-    if (home.empty() || home.back() != "student" || partName(other.path.back()).empty()) continue;
-    const std::size_t top = home.size() - 1;
-    if (folder.size() > top && std::equal(home.begin(), home.end() - 1, folder.begin()) &&
-        isProjectFolder(folder[top]))
-      return true;
+// Where the coursework's own files lie. Compared with each file, they are looked up: there may be
+// as many of them.
+Sorter::Homes Sorter::homes() const {
+  Homes found;
+  for (const Candidate& candidate : candidates_) {
+    if (partName(candidate.path.back()).empty()) continue;
+    Path folder = candidate.folder();
+    if (!folder.empty() && folder.back() == "student")
+      found.projects.emplace(folder.begin(), folder.end() - 1);
+    found.courseworks.insert(std::move(folder));
   }
+  return found;
+}
+
+// Whether the file lies in another folder of a project whose student/ has been handed in as well.
+bool Sorter::belongsToTheProject(const Path& folder, const Homes& homes) {
+  for (auto top = folder.begin(); top != folder.end(); ++top)
+    if (isProjectFolder(*top) && homes.projects.contains(Path(folder.begin(), top))) return true;
   return false;
 }
 
 // Whether the file lies in a lab, COURSEWORK/labs/NAME, of a coursework that has been handed in as
 // well: labs are not marked.
-bool Sorter::belongsToALab(const Candidate& candidate) const {
-  const Path folder = candidate.folder();
-  if (folder.size() < 2 || folder[folder.size() - 2] != "labs") return false;
-  const Path owner(folder.begin(), folder.end() - 2);
-  return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& other) {
-    return other.folder() == owner && !partName(other.path.back()).empty();
-  });
+bool Sorter::belongsToALab(const Path& folder, const Homes& homes) {
+  return folder.size() >= 2 && folder[folder.size() - 2] == "labs" &&
+         homes.courseworks.contains(Path(folder.begin(), folder.end() - 2));
 }
 
 std::string Sorter::sceneTarget(const Candidate& candidate, const std::set<Path>& folders) const {
-  for (const Path& folder : folders) {
-    if (candidate.path.size() <= folder.size() ||
-        !std::equal(folder.begin(), folder.end(), candidate.path.begin()))
-      continue;
-    std::string name = sceneName(candidate.path, folder.size());
-    if (!name.empty()) return name;
+  for (std::size_t below = 0; below < candidate.path.size(); ++below) {
+    std::string name = sceneName(candidate.path, below);
+    const auto top = candidate.path.begin();
+    if (!name.empty() && folders.contains(Path(top, top + static_cast<std::ptrdiff_t>(below))))
+      return name;
   }
   return {};
 }
@@ -261,7 +279,7 @@ void Sorter::decide(const std::string& target, const std::vector<const Candidate
     noteRefusal(target,
                 fmt::format("{} was refused: it was handed in {} times with different contents "
                             "({}).",
-                            target, candidates.size(), fmt::join(places, ", ")));
+                            target, candidates.size(), inOneList({places.begin(), places.end()})));
     return;
   }
   if (!first.problem.empty()) {
@@ -307,11 +325,13 @@ Collected Sorter::finish() {
   std::map<std::string, std::vector<const Candidate*>> byTarget;
   std::set<Path> folders;
   std::vector<const Candidate*> others;
+  const Homes known = homes();
   for (const Candidate& candidate : candidates_) {
     const std::string name = partName(candidate.path.back());
     if (name.empty()) {
       others.push_back(&candidate);
-    } else if (belongsToTheProject(candidate) || belongsToALab(candidate)) {
+    } else if (const Path folder = candidate.folder();
+               belongsToTheProject(folder, known) || belongsToALab(folder, known)) {
       ++ignored_;
     } else {
       byTarget[name].push_back(&candidate);
@@ -340,8 +360,16 @@ Collected Sorter::finish() {
 
   Collected collected;
   for (const auto& [target, candidates] : byTarget) decide(target, candidates, collected);
-  for (const auto& [lower, candidates] : scenes)
-    decide(sceneTarget(*candidates.front(), folders), candidates, collected);
+  std::vector<std::string> leftOut;
+  std::size_t taken = 0;
+  for (const auto& [lower, candidates] : scenes) {
+    const std::string target = sceneTarget(*candidates.front(), folders);
+    if (isSceneFile(target) && ++taken > kMostScenes)
+      leftOut.push_back(target);
+    else
+      decide(target, candidates, collected);
+  }
+  noteLeftOut(leftOut);
   sayWhatIsMissing(seen, collected);
 
   noteNearMisses();

@@ -37,6 +37,11 @@ class Sorter {
     Path folder() const { return Path(path.begin(), path.end() - 1); }
   };
 
+  struct Homes {
+    std::set<Path> projects;     // whose student/ has files of the coursework
+    std::set<Path> courseworks;  // folders of such files
+  };
+
   static std::string partName(const std::string& name);
   static std::string sceneName(const Path& path, std::size_t below);
   static bool mayBeOfAScene(const Path& path);
@@ -47,10 +52,12 @@ class Sorter {
   void noteAbout(const std::string& target, std::string sentence);
   void noteRefusal(const std::string& target, std::string sentence);
   void noteNearMisses();
+  void noteLeftOut(const std::vector<std::string>& scenes);
   std::size_t largest(const std::string& name) const;
   void keep(Path path, const Entry& entry, const ReadEntry& read);
-  bool belongsToTheProject(const Candidate& candidate) const;
-  bool belongsToALab(const Candidate& candidate) const;
+  Homes homes() const;
+  static bool belongsToTheProject(const Path& folder, const Homes& homes);
+  static bool belongsToALab(const Path& folder, const Homes& homes);
   std::string sceneTarget(const Candidate& candidate, const std::set<Path>& folders) const;
   void decide(const std::string& target, const std::vector<const Candidate*>& candidates,
               Collected& collected);

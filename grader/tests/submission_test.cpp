@@ -1,6 +1,7 @@
 // Which files of a submission are taken, from folders and from archives.
 #include "support/collecting.h"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -129,6 +130,39 @@ TEST_F(Collecting, KeepsApartWhichRemarksAreAboutRefusedScenes) {
     EXPECT_EQ(std::count(one.remarks.begin(), one.remarks.end(), remark), 1) << remark;
   }
   EXPECT_TRUE(collected(MadeArchive().file(kPart4).file("scenes/a.json")).refusedScenes.empty());
+}
+
+TEST_F(Collecting, TakesTheFirstScenesByNameAndNamesTheOthers) {
+  MadeArchive made;
+  made.file(kPart4).file("scenes/z.obj", "v");
+  for (int k = 39; k >= 0; --k) made.file(fmt::format("scenes/{:02}.json", k), std::to_string(k));
+  const Collected one = collected(made);
+  EXPECT_EQ(one.files.size(), 34u);
+  EXPECT_TRUE(one.files.contains("scenes/31.json"));
+  EXPECT_FALSE(one.files.contains("scenes/32.json"));
+  EXPECT_TRUE(one.files.contains("scenes/z.obj"));
+  const std::string remark =
+      "scenes/32.json, scenes/33.json, scenes/34.json, scenes/35.json, scenes/36.json and 3 more "
+      "were left out: of the scenes the first 32 by name are taken.";
+  expectRemark(one, remark);
+  EXPECT_EQ(one.refusedScenes, Names{remark});
+}
+
+// As many folders with coursework in them as a submission may have entries.
+TEST_F(Collecting, ManyFoldersWithTheSameFileAreOneRefusal) {
+  const Limits limits;
+  MadeArchive made;
+  for (std::size_t k = 0; k < limits.entries / 2; ++k) {
+    made.file(fmt::format("a/{}/b/c/d/e/f/part0_warmup.cpp", k), std::to_string(k % 2));
+    made.file(fmt::format("a/{}/b/c/d/e/f/scenes/{}.obj", k, k), "v");
+  }
+  const Collected one = collected(made);
+  EXPECT_TRUE(one.files.contains("scenes/7.obj"));
+  EXPECT_FALSE(one.files.contains("part0_warmup.cpp"));
+  expectRemark(one,
+               "part0_warmup.cpp was refused: it was handed in 5000 times with different "
+               "contents (a/0/b/c/d/e/f/part0_warmup.cpp, a/1/");
+  expectRemark(one, "part0_warmup.cpp and 4995 more).");
 }
 
 TEST_F(Collecting, SaysWhenThereIsNothingToTake) {
