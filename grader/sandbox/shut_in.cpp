@@ -18,12 +18,18 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr rlim_t kStackBytes = rlim_t{8} << 20;
-constexpr rlim_t kWorkerThreads = 512;  // 256 render, and Embree has its own
-constexpr rlim_t kToolProcesses = 128;  // linkers have threads
-constexpr rlim_t kOthersMargin = 4096;  // that the same user may start meanwhile
+constexpr rlim_t kWorkerThreads = 512;       // 256 render, and Embree has its own
+constexpr rlim_t kToolProcesses = 128;       // linkers have threads
+constexpr std::size_t kOthersMargin = 4096;  // that the same user may start meanwhile
 constexpr rlim_t kWorkerSeconds = 3600;
 // A worker can write no files; bubblewrap makes a copy of its program.
 constexpr rlim_t kProgramBytes = rlim_t{256} << 20;
+
+// The kernel counts those of the user, which are the program's own only where it has a user of its
+// own.
+std::size_t processesBeside(std::optional<uid_t> user) {
+  return isShared(user) ? processesOfUser(user.value_or(getuid())) + kOthersMargin : 0;
+}
 
 void allowMemory(std::vector<Limit>& limits, std::size_t bytes) {
   // Sanitizers reserve far more address space than they use.
@@ -33,17 +39,11 @@ void allowMemory(std::vector<Limit>& limits, std::size_t bytes) {
 }  // namespace
 
 ShutIn::ShutIn(const Limits& limits)
-    : limits_(limits), processesBefore_(geteuid() == 0 ? 0 : processesOfUser()) {}
+    : limits_(limits), otherProcesses_(processesBeside(nextUser())) {}
 
 fs::path ShutIn::visible(const fs::path& path) { return staging_.visible(path); }
 
 fs::path ShutIn::makeScratchFolder() { return staging_.makeScratchFolder(); }
-
-// The kernel counts those of the user, which are the program's own only where it has a user of its
-// own.
-rlim_t ShutIn::processes(rlim_t own) const {
-  return geteuid() == 0 ? own : own + processesBefore_ + kOthersMargin;
-}
 
 std::vector<Limit> ShutIn::workerLimits(std::size_t memoryBytes) const {
   std::vector<Limit> limits{{RLIMIT_CORE, 0},
@@ -52,7 +52,7 @@ std::vector<Limit> ShutIn::workerLimits(std::size_t memoryBytes) const {
                             {RLIMIT_NOFILE, 64},
                             {RLIMIT_MEMLOCK, 0},
                             {RLIMIT_CPU, kWorkerSeconds},
-                            {RLIMIT_NPROC, processes(kWorkerThreads)}};
+                            {RLIMIT_NPROC, kWorkerThreads + otherProcesses_}};
   allowMemory(limits, memoryBytes);
   return limits;
 }
@@ -63,7 +63,7 @@ std::vector<Limit> ShutIn::toolLimits(double seconds) const {
                             {RLIMIT_FSIZE, limits_.fileBytes},
                             {RLIMIT_NOFILE, 512},
                             {RLIMIT_CPU, static_cast<rlim_t>(std::ceil(seconds))},
-                            {RLIMIT_NPROC, processes(kToolProcesses)}};
+                            {RLIMIT_NPROC, kToolProcesses + otherProcesses_}};
   allowMemory(limits, limits_.toolBytes);
   return limits;
 }

@@ -49,11 +49,10 @@ class ShutIn : public Confinement {
  private:
   std::vector<Limit> workerLimits(std::size_t memoryBytes) const;
   std::vector<Limit> toolLimits(double seconds) const;
-  rlim_t processes(rlim_t own) const;
 
   Limits limits_;
   Staging staging_;
-  std::size_t processesBefore_;
+  std::size_t otherProcesses_;  // that may count as a program's own
 };
 
 // Folders and files of the system that programs need to start, and compilers besides. `worker`:

@@ -1,7 +1,10 @@
 #include "sandbox/staging.h"
 
+#include "host/build_files.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
@@ -79,7 +82,19 @@ bool mayBecome(uid_t user) {
   return false;
 }
 
+// Those are named by what they were made of, and their times say only when they were used last. A
+// copy that is written anew may be read by a step that has begun.
+bool isCompiledCoursework(const fs::path& path) {
+  for (const char* name : {"workers/objects", "workers/linked"}) {
+    const fs::path folder = (kBuildFolder / name).lexically_normal();
+    if (std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end())
+      return true;
+  }
+  return false;
+}
+
 std::string stampOf(const fs::path& path) {
+  if (isCompiledCoursework(path)) return "compiled coursework";
   if (!fs::is_regular_file(path)) return "a folder";
   return fmt::format("{} {}", fs::last_write_time(path).time_since_epoch().count(),
                      fs::file_size(path));
@@ -127,10 +142,11 @@ std::optional<uid_t> nextUser() {
   return mayBecome(user) ? user : kNobody;
 }
 
-std::size_t processesOfUser() {
+bool isShared(std::optional<uid_t> user) { return !user || *user == kNobody; }
+
+std::size_t processesOfUser(uid_t user) {
   std::size_t count = 0;
   std::error_code error;
-  const uid_t user = getuid();
   for (const auto& process : fs::directory_iterator("/proc", error)) {
     struct stat status {};
     if (stat(process.path().c_str(), &status) != 0 || status.st_uid != user) continue;

@@ -1,6 +1,7 @@
 // What sandboxed programs see of this process's files, and where they may write.
 //
 //   nextUser    an unprivileged user for one program, where this process may choose
+//   isShared    whether other programs have the same
 //   Staging     a folder of copies that such a user may read, and of scratch folders
 #pragma once
 
@@ -23,8 +24,11 @@ namespace pathmark::sandbox {
 // has no such numbers.
 std::optional<uid_t> nextUser();
 
-// Threads and processes that this process's user has now.
-std::size_t processesOfUser();
+// Whether several programs at the same time may have what nextUser returned.
+bool isShared(std::optional<uid_t> user);
+
+// Threads and processes that the user has now.
+std::size_t processesOfUser(uid_t user);
 
 class Staging {
  public:

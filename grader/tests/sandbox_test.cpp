@@ -2,17 +2,21 @@
 #include "host/build_config.h"
 #include "host/coursework_builder.h"
 #include "host/render_loop.h"
+#include "sandbox/landlock.h"
+#include "sandbox/landlock_tier.h"
 #include "sandbox/self_test.h"
 #include "sandbox/staging.h"
 #include "support/sandbox_tiers.h"
 #include "support/test_coursework_files.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fstream>
@@ -22,6 +26,7 @@
 #include <vector>
 
 #include <grp.h>
+#include <sched.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -318,6 +323,80 @@ TEST(Staging, RemovesWhatKilledProcessesHaveLeftAndNothingElse) {
   const std::filesystem::path inUse = first.makeScratchFolder();
   const sandbox::Staging second;
   EXPECT_TRUE(std::filesystem::exists(inUse));
+}
+
+TEST(Staging, CompiledCourseworkIsNotCopiedAnewBecauseItIsUsed) {
+  const std::filesystem::path folder =
+      std::filesystem::path(build::kBuildFolder) / "workers/objects";
+  const std::filesystem::path object = folder / fmt::format("test-{}.o", getpid());
+  std::filesystem::create_directories(folder);
+  std::ofstream(object) << "object";
+  sandbox::Staging staging;
+  const std::filesystem::path copy = staging.visible(object);
+  if (copy == object) GTEST_SKIP() << "only root makes copies";
+  std::ofstream(copy) << "linked";
+  std::filesystem::last_write_time(
+      object, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(staging.visible(object), copy);
+  std::string contents;
+  std::ifstream(copy) >> contents;
+  EXPECT_EQ(contents, "linked");
+  std::filesystem::remove(object);
+}
+
+TEST(Staging, ProgramsShareAUserWhereThereAreNoNumbersForThem) {
+  EXPECT_TRUE(sandbox::isShared(std::nullopt));
+  EXPECT_TRUE(sandbox::isShared(65534));
+  EXPECT_FALSE(sandbox::isShared(0x70000001));
+  EXPECT_GT(sandbox::processesOfUser(getuid()), 0u);
+}
+
+// What the function returns in a process that is root of a container, which has few users; empty
+// where there can be none.
+std::string inContainer(const std::function<std::string()>& function) {
+  std::array<int, 2> down{}, up{};
+  if (pipe(down.data()) != 0 || pipe(up.data()) != 0) return {};
+  const pid_t child = fork();
+  char word = 'x';
+  if (child == 0) {
+    if (unshare(CLONE_NEWUSER) != 0 || write(up[1], &word, 1) != 1 || read(down[0], &word, 1) != 1)
+      _exit(1);
+    std::string result;
+    try {
+      result = function();
+    } catch (const std::exception& e) {
+      result = e.what();
+    }
+    _exit(write(up[1], result.data(), result.size()) < 0 ? 1 : 0);
+  }
+  close(up[1]);
+  std::string result;
+  if (read(up[0], &word, 1) == 1) {
+    for (const char* map : {"uid_map", "gid_map"})
+      std::ofstream(fmt::format("/proc/{}/{}", child, map)) << "0 0 65536\n";
+    std::array<char, 512> chunk{};
+    if (write(down[1], &word, 1) == 1)
+      for (ssize_t n = 0; (n = read(up[0], chunk.data(), chunk.size())) > 0;)
+        result.append(chunk.data(), static_cast<std::size_t>(n));
+  }
+  for (const int end : {down[0], down[1], up[0]}) close(end);
+  waitpid(child, nullptr, 0);
+  return result;
+}
+
+TEST(Landlock, ProgramsThatShareAUserMayHaveManyProcessesTogether) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root gives programs other users";
+  const auto processesAllowed = [] {
+    sandbox::LandlockTier tier({});
+    Confinement::Step step;
+    step.request.arguments = {"/bin/sh", "-c", "ulimit -p"};
+    return tier.run(step).output;
+  };
+  if (sandbox::landlockVersion() == 0) GTEST_SKIP() << "the kernel has no Landlock";
+  EXPECT_LT(std::atoi(processesAllowed().c_str()), 1000);
+  const std::string allowed = inContainer(processesAllowed);
+  if (allowed.empty()) GTEST_SKIP() << "this machine makes no containers";
+  EXPECT_GT(std::atoi(allowed.c_str()), 4000) << allowed;
 }
 
 // A process between fork and exec holds the descriptors of files that other threads write.
