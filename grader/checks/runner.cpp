@@ -261,11 +261,12 @@ void addKnown(CourseworkResults& results, const CourseworkResults& known,
 }
 
 void checkOwnScenes(CourseworkResults& results, Whole& whole, const CourseworkBuild& build,
-                    const RunOptions& options) {
+                    const RunOptions& options, RunProgress& progress) {
   WholeWorker worker;
   worker.blocker = whole.blocker.empty() ? whole.failure : whole.blocker;
   worker.get = [&]() -> WorkerProcess& { return whole.bench->worker(); };
   worker.forget = [&] { whole.bench->forget(); };
+  worker.goOn = [&] { return progress.goesOn(); };
   results.scenes = checkScenes(build.folder, worker, options.seed);
 }
 
@@ -320,7 +321,7 @@ void checkWhole(CourseworkResults& results, const CourseworkBuild& build,
   try {
     Whole whole = linkWhole(results, build, options, progress);
     if (selection.images) checkImages(results, whole, selection, budget, progress);
-    if (selection.scenes && progress.goesOn()) checkOwnScenes(results, whole, build, options);
+    if (selection.scenes) checkOwnScenes(results, whole, build, options, progress);
   } catch (const WorkerStopped&) {
     // What was done until then stays.
   }

@@ -47,8 +47,9 @@ struct RunEvents {
   std::function<void(const PartResult&)> onPart;              // all checks of it are done
   std::function<void(const CourseworkResults&)> onFunctions;  // before the images
 
-  // Asked before each check, and a few times a second while a worker is waited for. If it says no,
-  // the rest is left out: of functions the parts that are not done, of pictures those that are not.
+  // Asked before each check and each scene, and a few times a second while a worker is waited for.
+  // If it says no, the rest is left out: of functions the parts that are not done, of pictures and
+  // scenes those that are not.
   std::function<bool()> goOn;
 };
 

@@ -168,8 +168,14 @@ SceneFinding checkScene(const fs::path& file, const WholeWorker& worker, std::ui
 std::vector<SceneFinding> checkScenes(const fs::path& coursework, const WholeWorker& worker,
                                       std::uint64_t seed) {
   std::vector<SceneFinding> findings;
-  for (const fs::path& file : sceneFiles(coursework / "scenes"))
-    findings.push_back(checkScene(file, worker, seed));
+  try {
+    for (const fs::path& file : sceneFiles(coursework / "scenes")) {
+      if (!worker.goOn()) break;
+      findings.push_back(checkScene(file, worker, seed));
+    }
+  } catch (const WorkerStopped&) {
+    // In the middle of a scene, of which there is nothing to say.
+  }
   return findings;
 }
 

@@ -30,8 +30,10 @@ struct WholeWorker {
   std::string blocker;  // what is in the way of rendering: a part, or a function
   std::function<WorkerProcess&()> get;
   std::function<void()> forget;  // after it has died
+  std::function<bool()> goOn;    // asked before each scene; if it says no, the rest is left out
 };
 
+// Those that were checked until it had to stop.
 std::vector<SceneFinding> checkScenes(const std::filesystem::path& coursework,
                                       const WholeWorker& worker, std::uint64_t seed);
 
