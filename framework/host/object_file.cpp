@@ -1,7 +1,12 @@
 #include "host/object_file.h"
 
+#include "host/build_config.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -20,6 +25,12 @@ namespace pathmark {
 namespace fs = std::filesystem;
 
 namespace {
+
+// Of installCrashHandlers in the worker's crash_handler.cpp.
+constexpr unsigned kLockPriority = 101;
+
+// Coursework has a few kilobytes of code; large arrays are filled when the program runs.
+constexpr std::uintmax_t kMebibyte = 1 << 20, kLargestObject = 4 * kMebibyte;
 
 struct Descriptor {
   int fd = -1;
@@ -68,6 +79,26 @@ bool hasEarlyFunction(std::span<const std::byte> bytes, const Elf64_Shdr& symbol
     if (symbol && ELF64_ST_TYPE(symbol->st_info) == STT_GNU_IFUNC) return true;
   }
   return false;
+}
+
+// Whether the functions of the section run before the worker's own lock, which is a constructor.
+// Those of the same priority run in the order of the objects, the worker's first; what has no
+// number for a priority is put where the linker likes.
+bool runsEarly(std::string_view name, std::uint32_t type) {
+  if (name == ".init" || type == SHT_PREINIT_ARRAY || name.starts_with(".preinit_array"))
+    return true;
+  // Another name for the array, with priorities counted down; compilers do not use it.
+  if (name.starts_with(".ctors.")) return true;
+  constexpr std::string_view kArray = ".init_array";
+  if (name == kArray || (type != SHT_INIT_ARRAY && !name.starts_with(kArray))) return false;
+  // Sanitizers begin in it; workers with them have no lock.
+  if (build::kSanitized) return false;
+  if (!name.starts_with(kArray) || name[kArray.size()] != '.') return true;
+  const std::string_view digits = name.substr(kArray.size() + 1);
+  const char* last = digits.data() + digits.size();
+  unsigned priority = 0;
+  const auto [end, error] = std::from_chars(digits.data(), last, priority);
+  return error != std::errc{} || end != last || priority <= kLockPriority;
 }
 
 // Removed unless it has got its name.
@@ -132,7 +163,7 @@ std::optional<std::string> objectComplaint(std::span<const std::byte> bytes) {
     if (name == ".interp")
       return "the object file names a program to load it with, and coursework is loaded by the "
              "system's";
-    if (here->sh_type == SHT_PREINIT_ARRAY || name.starts_with(".preinit_array") ||
+    if (runsEarly(name, here->sh_type) ||
         (here->sh_type == SHT_SYMTAB && hasEarlyFunction(bytes, *here)))
       return "the coursework has a function that runs before the program begins; only functions "
              "of the contract and what they call are run";
@@ -141,6 +172,12 @@ std::optional<std::string> objectComplaint(std::span<const std::byte> bytes) {
 }
 
 std::optional<std::string> objectComplaint(const fs::path& file) {
+  std::error_code error;
+  if (const std::uintmax_t size = fs::file_size(file, error); !error && size > kLargestObject)
+    return fmt::format(
+        "the object file has {} MiB, and at most {} are allowed; an array that begins "
+        "with values is part of it, one that a function fills is not",
+        (size + kMebibyte - 1) / kMebibyte, kLargestObject / kMebibyte);
   std::ifstream in(file, std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
   return objectComplaint(std::as_bytes(std::span(bytes)));

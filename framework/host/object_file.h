@@ -19,7 +19,8 @@ bool takeFile(const std::filesystem::path& from, const std::filesystem::path& to
 
 // Nothing, of a relocatable ELF file without code for the linker's plug-ins, without a loader of
 // its own, and without functions that run before the program has begun: the linker would read
-// anything else as a script, and the worker's own locks would come too late.
+// anything else as a script, and the worker's own locks would come too late. A file may also be too
+// large: objects are kept.
 std::optional<std::string> objectComplaint(std::span<const std::byte> bytes);
 std::optional<std::string> objectComplaint(const std::filesystem::path& file);
 

@@ -4,6 +4,7 @@
 #include "host/subprocess.h"
 #include "support/test_coursework_files.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -60,6 +61,32 @@ TEST_F(ObjectFile, FunctionsThatRunBeforeTheProgramAreRefused) {
                                     "[[gnu::ifunc(\"choose\")]] int h(); }\n"
                                     "int k() { return h(); }\n")),
             std::nullopt);
+}
+
+TEST_F(ObjectFile, ConstructorsThatRunBeforeTheWorkersOwnAreRefused) {
+  if (build::kSanitized) GTEST_SKIP() << "sanitizers have such constructors";
+  for (const char* early :
+       {"[[gnu::constructor(1)]] void f() {}", "[[gnu::constructor(101)]] void f() {}",
+        "struct S { S(); }; [[gnu::init_priority(101)]] S s;"})
+    EXPECT_NE(objectComplaint(compile(early)), std::nullopt) << early;
+  for (const char* late :
+       {"[[gnu::constructor]] void f() {}", "[[gnu::constructor(102)]] void f() {}",
+        "struct S { S(); }; [[gnu::init_priority(65535)]] S s;",
+        "[[gnu::destructor(1)]] void f() {}"})
+    EXPECT_EQ(objectComplaint(compile(late)), std::nullopt) << late;
+  for (const char* section :
+       {R"(.init,"ax")", R"(.init_array.1,"aw")", R"(.init_array.00101,"aw",@init_array)",
+        R"(.init_array.-1,"aw")", R"(.init_array.99999999999,"aw")", R"(.init_array.,"aw")",
+        R"(.ctors.65535,"aw")", R"(.other,"aw",@init_array)"})
+    EXPECT_NE(objectComplaint(compile(fmt::format("asm(R\"(.section {}\n.quad 0\n)\");", section))),
+              std::nullopt)
+        << section;
+}
+
+TEST_F(ObjectFile, LargeObjectsAreRefusedInASentence) {
+  EXPECT_EQ(objectComplaint(compile("int a[1 << 24];\nchar b[3 << 20] = {1};\n")), std::nullopt);
+  EXPECT_EQ(objectComplaint(compile("char a[5 << 20] = {1};\n")).value_or("").substr(0, 58),
+            "the object file has 6 MiB, and at most 4 are allowed; an a");
 }
 
 TEST_F(ObjectFile, AFileThatIsCutShortAnywhereIsRefusedOrHarmless) {
