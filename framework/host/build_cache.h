@@ -9,7 +9,8 @@ namespace pathmark {
 void markUsed(const std::filesystem::path& entry);
 
 // Removes entries of the folder beyond the newest few hundred, unless they were used within the
-// last hour: another process may be about to link or start them.
+// last hour, and beyond the newest few gigabytes, unless they were used within the last quarter of
+// one: a run that goes on, in this process or another, may be about to link or start them.
 void pruneCache(const std::filesystem::path& folder);
 
 }  // namespace pathmark

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kLargestProgram = std::size_t{256} << 20;
+constexpr std::size_t kLargestProgram = std::size_t{64} << 20;
 
 std::vector<std::string> linkerOptions(Linking linking) {
   // Works only in a program that is not moved, and with the system's own linker.
@@ -40,6 +40,16 @@ ProcessResult runLinker(Workshop& workshop, const ScratchFolder& scratch, const 
   return workshop.run(std::move(command), scratch);
 }
 
+// A run that goes on for hours compiles the solutions once, and links them with each submission.
+void markObjectsUsed(const LinkInputs& inputs) {
+  for (const fs::path& object : inputs.coursework) {
+    if (object.empty()) continue;
+    markUsed(object);
+    // The later of the two, so that the object is the first to go.
+    markUsed(fs::path(object).replace_extension(".warnings"));
+  }
+}
+
 }  // namespace
 
 void addObject(LinkInputs& inputs, const PartBuild& part) {
@@ -62,6 +72,7 @@ fs::path linkedFolder(const LinkInputs& from, std::string_view kind) {
 }
 
 std::string linkInto(const fs::path& folder, const LinkInputs& inputs) {
+  markObjectsUsed(inputs);
   if (fs::exists(folder / "worker")) {
     markUsed(folder);
     return {};

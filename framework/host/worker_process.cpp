@@ -1,5 +1,6 @@
 #include "host/worker_process.h"
 
+#include "host/build_cache.h"
 #include "host/build_config.h"
 #include "host/crash_sentence.h"
 #include "host/message_bytes.h"
@@ -28,6 +29,8 @@ constexpr int kPollMilliseconds = 50;
 }  // namespace
 
 WorkerProcess::WorkerProcess(Options options) : options_(std::move(options)) {
+  // It may be started hours after it was linked.
+  markUsed(options_.program.parent_path());
   const std::size_t memory = options_.limits.memoryBytes;
   process_ = options_.confinement ? options_.confinement->launch(options_.program, memory)
                                   : launchWorker(options_.program, memory);

@@ -42,6 +42,31 @@ TEST(BuildCache, KeepsWhatMayBeInUse) {
   EXPECT_EQ(entriesIn(folder.path()), 300);
 }
 
+// The files have sizes, and no bytes on the disk.
+TEST(BuildCache, ForgetsTheOldestBeyondAFewGigabytes) {
+  TemporaryFolder folder;
+  for (int k = 0; k < 8; ++k) {
+    fs::create_directory(folder / std::to_string(k));
+    std::ofstream(folder / std::to_string(k) / "worker");
+    fs::resize_file(folder / std::to_string(k) / "worker", std::uintmax_t{1} << 30);
+    fs::last_write_time(folder / std::to_string(k),
+                        fs::file_time_type::clock::now() - std::chrono::minutes(20 + k));
+  }
+  markUsed(folder / "7");
+  pruneCache(folder.path());
+  EXPECT_EQ(entriesIn(folder.path()), 4);
+  for (const char* kept : {"7", "0", "1", "2"}) EXPECT_TRUE(fs::exists(folder / kept)) << kept;
+}
+
+TEST(BuildCache, KeepsWhatARunMayNeedHoweverLarge) {
+  TemporaryFolder folder;
+  fill(folder, 8, std::chrono::hours(0));
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    fs::resize_file(entry.path(), std::uintmax_t{1} << 30);
+  pruneCache(folder.path());
+  EXPECT_EQ(entriesIn(folder.path()), 8);
+}
+
 TEST(BuildCache, KeepsSmallFoldersAndSurvivesMissingOnes) {
   TemporaryFolder folder;
   fill(folder, 20, std::chrono::hours(1000));

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -140,6 +142,33 @@ TEST(CourseworkBuilder, AMissingFileIsNamedBesideTheFilesOfAnotherCoursework) {
       linkWithOthers(buildCoursework(coursework.folder(), Incomplete::kCompileOnly), std::array{4},
                      buildCoursework(others.folder(), Incomplete::kCompileOnly));
   EXPECT_TRUE(linked.failure.ends_with("part4_phong.cpp is missing.")) << linked.failure;
+}
+
+// The solutions of a long run are compiled once, and linked with each submission.
+TEST(CourseworkBuilder, ALinkMarksTheObjectsAsUsed) {
+  using Clock = std::filesystem::file_time_type::clock;
+  TestCoursework coursework, others;
+  const CourseworkBuild own = buildCoursework(coursework.folder(), Incomplete::kCompileOnly),
+                        solutions = buildCoursework(others.folder(), Incomplete::kCompileOnly);
+  const std::filesystem::path object = solutions.parts.at(3).object;
+  for (const char* when : {"linked anew", "linked already"}) {
+    std::filesystem::last_write_time(object, Clock::now() - std::chrono::hours(2));
+    ASSERT_EQ(linkWithOthers(own, std::array{4}, solutions).failure, "");
+    EXPECT_GT(std::filesystem::last_write_time(object), Clock::now() - std::chrono::hours(1))
+        << when;
+  }
+}
+
+TEST(CourseworkBuilder, AWorkerThatIsStartedIsMarkedAsUsed) {
+  using Clock = std::filesystem::file_time_type::clock;
+  TestCoursework coursework;
+  const std::filesystem::path program = buildCoursework(coursework.folder()).worker;
+  std::filesystem::last_write_time(program.parent_path(), Clock::now() - std::chrono::hours(2));
+  WorkerProcess::Options options;
+  options.program = program;
+  const WorkerProcess worker(options);
+  EXPECT_GT(std::filesystem::last_write_time(program.parent_path()),
+            Clock::now() - std::chrono::hours(1));
 }
 
 TEST(CourseworkBuilder, AFunctionThatIsNotThereIsNamed) {
