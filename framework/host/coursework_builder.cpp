@@ -28,14 +28,17 @@ fs::path sourceOf(const fs::path& folder, std::string_view file) {
   return labOwner(folder) / file;
 }
 
-void buildParts(std::vector<PartBuild>& parts, const std::shared_ptr<Confinement>& confinement) {
+void buildParts(std::vector<PartBuild>& parts, const std::shared_ptr<Confinement>& confinement,
+                unsigned compilersAtMost) {
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = 0; (i = next++) < parts.size();) buildPart(parts[i], confinement);
   };
   // Futures, because they carry an exception over: the build folder may be full or not writable.
   std::vector<std::future<void>> others;
-  const unsigned extra = std::max(1u, std::thread::hardware_concurrency()) - 1;
+  const unsigned compilers =
+      compilersAtMost == kOnePerProcessor ? std::thread::hardware_concurrency() : compilersAtMost;
+  const unsigned extra = std::max(1u, compilers) - 1;
   for (unsigned k = 0; k < extra; ++k) others.push_back(std::async(std::launch::async, work));
   work();
   for (std::future<void>& other : others) other.get();
@@ -72,13 +75,14 @@ bool CourseworkBuild::complete() const {
 }
 
 CourseworkBuild buildCoursework(const fs::path& folder, Incomplete policy,
-                                std::shared_ptr<Confinement> confinement) {
+                                std::shared_ptr<Confinement> confinement,
+                                unsigned compilersAtMost) {
   CourseworkBuild result;
   result.folder = folder;
   result.confinement = std::move(confinement);
   for (const PartContract& part : parts())
     result.parts.push_back({part, sourceOf(folder, part.file), {}, {}, {}});
-  buildParts(result.parts, result.confinement);
+  buildParts(result.parts, result.confinement, compilersAtMost);
   if (policy == Incomplete::kLeaveThemOut || (policy == Incomplete::kNoWorker && result.complete()))
     link(result, policy);
   return result;

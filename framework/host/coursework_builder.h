@@ -56,11 +56,15 @@ enum class Incomplete {
   kLeaveThemOut,  // a worker without those parts, good for asking which stubs are left
 };
 
-// Throws std::system_error if the compiler cannot be run or the build folder not be written, and
-// ConfinementError.
+// As many compilers at the same time as the machine has processors.
+inline constexpr unsigned kOnePerProcessor = 0;
+
+// Throws std::system_error if the compiler cannot be run, or is killed by the machine, or the build
+// folder not be written; and ConfinementError.
 CourseworkBuild buildCoursework(const std::filesystem::path& folder,
                                 Incomplete policy = Incomplete::kNoWorker,
-                                std::shared_ptr<Confinement> confinement = {});
+                                std::shared_ptr<Confinement> confinement = {},
+                                unsigned compilersAtMost = kOnePerProcessor);
 
 // One file alone, outside of any confinement, for a folder of which only this part is of interest.
 // Throws as buildCoursework does.

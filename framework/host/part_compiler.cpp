@@ -11,10 +11,12 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 namespace pathmark {
 
@@ -90,6 +92,22 @@ std::vector<std::string> compileCommand(Workshop& workshop, const fs::path& sour
   return command;
 }
 
+// A compiler is several programs, and the first one says what became of the others.
+bool saysThatItWasKilled(const std::string& output) {
+  const std::string words = fs::path(build::kCompiler).filename().string() +
+                            ": fatal error: Killed signal terminated program";
+  return output.starts_with(words) || output.find("\n" + words) != std::string::npos;
+}
+
+// The machine kills what takes memory that others need. What takes too long by the clock is stopped
+// here, and is the coursework's own doing.
+void throwIfKilled(const ProcessResult& step, const fs::path& source) {
+  constexpr int kKilled = 128 + SIGKILL;
+  if (step.timedOut || (step.exitCode != kKilled && !saysThatItWasKilled(step.output))) return;
+  throw std::system_error(std::make_error_code(std::errc::not_enough_memory),
+                          fmt::format("the compiler of {} was killed", source.filename().string()));
+}
+
 // The object to its place in the build folder. Nothing is believed of what was made in a
 // confinement.
 bool keepObject(const Workshop& workshop, const fs::path& made, const fs::path& object,
@@ -127,6 +145,7 @@ bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::s
   const ProcessResult compiled = workshop.run(
       compileCommand(workshop, copy, raw, scratch.path().string() + "/=" + folderPrefix(folder)),
       scratch);
+  throwIfKilled(compiled, source);
   if (!compiled.output.empty())
     messages = "\n" + shortCompilerWords(replaceAll(compiled.output, scratch.path().string() + "/",
                                                     folderPrefix(folder)));
@@ -145,6 +164,7 @@ bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::s
                       "--keep-global-symbols=" + tools.visible(kContractSymbols), merged.string()},
                      scratch);
   if (step.exitCode != 0) {
+    throwIfKilled(step, source);
     messages += step.output;
     return false;
   }

@@ -223,7 +223,10 @@ void addCheckCommand(CLI::App& app, CommandAction& action) {
       "  ./pathmark check --watch\n"
       "  ./pathmark check 2.4 --hint 2\n"
       "  ./pathmark check --list\n\n"
-      "Exit code: 0 if nothing is wrong (what is not written is not wrong), 1 if something is.");
+      "Exit code: 0 if nothing is wrong (what is not written is not wrong), 1 if something is; 2 "
+      "for a wrong command line; 3 if the machine failed, such as where no compiler can be run; "
+      "130 "
+      "if interrupted, except by the Ctrl-C that ends --watch.");
   command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }
 

@@ -13,6 +13,7 @@
 #include "host/session.h"
 #include "rubric/rubric.h"
 #include "sandbox/sandbox.h"
+#include "scene/syntax_sentence.h"
 #include "submission/names.h"
 #include "submission/submission.h"
 
@@ -72,8 +73,10 @@ fs::path outOf(const GradeArguments& arguments, const grading::RunAsked& asked) 
 
 // An instructor may keep both in one folder.
 void forgetOutput(submission::FoundSubmissions& found, const fs::path& out) {
-  const fs::path whole = fs::weakly_canonical(out);
+  const std::string whole = fs::weakly_canonical(out).string(),
+                    begin = fmt::format("\"{}\" ", shown(whole, whole.size()));
   std::erase_if(found.leftOut, [&](const auto& one) { return one.source == whole; });
+  std::erase_if(found.remarks, [&](const auto& remark) { return remark.starts_with(begin); });
 }
 
 submission::FoundSubmissions findAll(const GradeArguments& arguments, const fs::path& out) {
@@ -84,12 +87,12 @@ submission::FoundSubmissions findAll(const GradeArguments& arguments, const fs::
   if (!found.missing.empty())
     throw UsageError(
         fmt::format("{}: there is no such file or folder.", fmt::join(found.missing, ", ")));
+  forgetOutput(found, out);
   for (const std::string& remark : found.remarks) fmt::print(stderr, "{}\n", remark);
   if (found.submissions.empty())
     throw UsageError(
         "There is no submission here: it is a folder or an archive with part*.cpp files, or a "
         "folder of such.");
-  forgetOutput(found, out);
   return found;
 }
 
@@ -114,12 +117,10 @@ class Screen {
   }
 
   void clear() { bar_.clear(); }
-  bool anyInternalError() const { return internalError_; }
 
  private:
   void tell(const record::SubmissionRecord& record, bool known) {
     ++done_;
-    internalError_ = internalError_ || record.internalError();
     if (known) return;
     std::string line = fmt::format("[{}/{}] {}: ", done_, all_, record.name);
     line += record.leftOut.empty() ? fmt::format("{:.1f} s", record.seconds)
@@ -133,7 +134,6 @@ class Screen {
   ProgressBar bar_{"grade"};
   std::size_t all_, done_ = 0;
   double left_ = 0.0;
-  bool internalError_ = false;
 };
 
 constexpr const char* kDefaultRubric = "default";
@@ -170,7 +170,6 @@ void keepRubric(const fs::path& file, const fs::path& out) {
 std::vector<std::string> notGradedYet(const std::vector<submission::Submission>& submissions,
                                       const grading::ClassFolder& folder) {
   std::vector<std::string> names;
-  if (!interrupted()) return names;
   for (const submission::Submission& one : submissions)
     if (!fs::exists(folder.folderOf(one.name) / "record.json")) names.push_back(one.name);
   return names;
@@ -207,7 +206,7 @@ int grade(const GradeArguments& arguments) {
   const grading::ClassFolder folder(out, asked);
   keepRubric(rubricFile, out);
 
-  int code = kSuccess;
+  std::size_t graded = 0;
   if (!submissions.empty()) {
     const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
     grading::ClassRunOptions options;
@@ -216,9 +215,8 @@ int grade(const GradeArguments& arguments) {
     options.threads = std::max(1u, processors / options.jobs);
     options.secondsAtMost = arguments.secondsAtMost;
     Screen screen(submissions.size());
-    grading::gradeClass(found, folder, sandbox, options, screen.events());
+    graded = grading::gradeClass(found, folder, sandbox, options, screen.events()).size();
     screen.clear();
-    if (screen.anyInternalError()) code = kMachineFault;
   }
   const grading::ClassReports reports =
       grading::writeReports(folder, rubric, notGradedYet(submissions, folder));
@@ -233,11 +231,12 @@ int grade(const GradeArguments& arguments) {
                "{}: this record is damaged, so that there are no marks; grade the submission "
                "again.\n",
                displayPath(folder.folderOf(name) / "record.json"));
-  if (interrupted()) {
+  // Nothing is left to do after the last one, whenever Ctrl-C came.
+  if (graded < submissions.size()) {
     fmt::print(stderr, "Interrupted; the same command goes on from here.\n");
     return kInterrupted;
   }
-  return code;
+  return reports.anyFailed() ? kMachineFault : kSuccess;
 }
 
 void addGradeCommand(CLI::App& app, CommandAction& action) {
@@ -292,8 +291,9 @@ void addGradeCommand(CLI::App& app, CommandAction& action) {
       "time.\n"
       "What cannot be graded, such as an archive that is damaged or a folder without part*.cpp, "
       "has a row without marks, and the reason.\n"
-      "Exit code: 0 if all others were graded, whatever their marks; 2 for a wrong command line; 3 "
-      "if the grader or the machine failed at one; 130 if interrupted.");
+      "Exit code: 0 if all others have marks, whatever these are; 2 for a wrong command line; 3 if "
+      "the grader or the machine failed at one, or its record is damaged; 130 if interrupted "
+      "before the last one.");
   command->callback([arguments, &action] { action = [arguments] { return grade(*arguments); }; });
 }
 

@@ -90,7 +90,9 @@ void addKitCommand(CLI::App& app, CommandAction& action) {
       "What is in a kit is listed in grader/kit/contents.txt; handouts/instructors.md tells more.\n"
       "The kit is searched before it gets its name, pictures included.\n\n"
       "Exit code: 0 if the kit is written; 1 if it would hold what is hidden, 2 for a folder that "
-      "cannot be used, 130 if interrupted; then there is no kit.");
+      "cannot be used, 3 if the machine failed, such as where the disk is full, 130 if "
+      "interrupted; "
+      "then there is no kit.");
   command->callback(
       [arguments, &action] { action = [arguments] { return runKitCommand(*arguments); }; });
 }

@@ -29,6 +29,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kRunFormat = 1;
 
+// What is under way. In it a submission has a folder of its name, and no name begins with a dot.
+constexpr const char* kWork = ".work";
+constexpr const char* kMade = ".made";          // records that are about to appear
+constexpr const char* kReplaced = ".replaced";  // those that they replace
+
 std::string readFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(in), {});
@@ -120,13 +125,21 @@ ClassFolder::ClassFolder(fs::path folder, const RunAsked& asked) : folder_(std::
     throw UsageError(
         fmt::format("{}: this folder cannot be made: {}.", displayPath(folder_), error.message()));
   lock();
+  endWork();
   readOrWriteRun(asked);
-  fs::remove_all(folder_ / ".work", error);
 }
 
-ClassFolder::~ClassFolder() {
+ClassFolder::~ClassFolder() { endWork(); }
+
+// A run that was killed between the two steps of `put` has left a submission without its folder.
+void ClassFolder::endWork() const {
   std::error_code ignored;
-  fs::remove_all(folder_ / ".work", ignored);
+  for (const auto& entry : fs::directory_iterator(folder_ / kWork / kReplaced, ignored)) {
+    const fs::path place = folderOf(entry.path().filename().string());
+    if (fs::exists(entry.path() / "record.json", ignored) && !fs::exists(place, ignored))
+      fs::rename(entry.path(), place, ignored);
+  }
+  fs::remove_all(folder_ / kWork, ignored);
 }
 
 void ClassFolder::lock() {
@@ -220,8 +233,8 @@ std::string ClassFolder::picture(const std::string& name, const std::string& fil
   return readFile(folderOf(name) / file);
 }
 
-fs::path ClassFolder::scratch(const std::string& name) const {
-  fs::path folder = folder_ / ".work" / name;
+fs::path ClassFolder::scratch(const fs::path& name) const {
+  fs::path folder = folder_ / kWork / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;
@@ -229,7 +242,7 @@ fs::path ClassFolder::scratch(const std::string& name) const {
 
 void ClassFolder::removeScratch(const std::string& name) const {
   std::error_code ignored;
-  fs::remove_all(folder_ / ".work" / name, ignored);
+  fs::remove_all(folder_ / kWork / name, ignored);
 }
 
 void ClassFolder::expectNoOther(const std::string& name, const std::string& source) const {
@@ -244,18 +257,25 @@ void ClassFolder::expectNoOther(const std::string& name, const std::string& sour
 void ClassFolder::put(const Judged& judged) const {
   const std::string& name = judged.record.name;
   expectNoOther(name, judged.record.source);
-  const fs::path made = scratch(name + ".new"), place = folderOf(name);
+  const fs::path made = scratch(fs::path(kMade) / name), place = folderOf(name);
   fs::create_directories(made / "pictures");
   for (const auto& [file, bytes] : judged.files) writeFileAtomically(made / file, bytes);
   record::writeRecord(judged.record, made / "record.json");
-  fs::remove_all(place);
+  const fs::path replaced = scratch(fs::path(kReplaced) / name);
+  if (fs::exists(place)) fs::rename(place, replaced);
   fs::rename(made, place);
+  fs::remove_all(replaced);
 }
 
-void ClassFolder::noteSource(record::SubmissionRecord record, const std::string& source) const {
-  if (record.source == source) return;
+void ClassFolder::noteHandedIn(record::SubmissionRecord record, const std::string& source,
+                               const submission::Collected& collected) const {
+  if (record.source == source && record.collecting == collected.remarks &&
+      record.refusedScenes == collected.refusedScenes)
+    return;
   expectNoOther(record.name, source);
   record.source = source;
+  record.collecting = collected.remarks;
+  record.refusedScenes = collected.refusedScenes;
   record::writeRecord(record, folderOf(record.name) / "record.json");
 }
 

@@ -5,13 +5,14 @@
 //   DIR/submissions/NAME/record.json   one record, with pictures/ and reports beside it
 //   DIR/.work                          what is under way
 //
-// A submission's folder appears in one step, so that a run that is killed leaves whole records
-// only.
+// A submission's folder appears whole, and what it replaces is kept until then: a run that is
+// killed leaves whole records only, and loses none.
 #pragma once
 
 #include "grading/judge.h"
 #include "host/shared_memory.h"
 #include "record/record.h"
+#include "submission/submission.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -72,7 +73,7 @@ class ClassFolder {
   std::string picture(const std::string& name, const std::string& file) const;
 
   // An empty folder for something that is under way.
-  std::filesystem::path scratch(const std::string& name) const;
+  std::filesystem::path scratch(const std::filesystem::path& name) const;
   void removeScratch(const std::string& name) const;
 
   // Throws UsageError where that name is the one of another source, by gradedNames.
@@ -82,8 +83,10 @@ class ClassFolder {
   // std::filesystem_error.
   void put(const Judged& judged) const;
 
-  // The same files are at `source` by now. Throws as put.
-  void noteSource(record::SubmissionRecord record, const std::string& source) const;
+  // The same files were handed in otherwise by now: at another place, beside other files that were
+  // not taken. Throws as put.
+  void noteHandedIn(record::SubmissionRecord record, const std::string& source,
+                    const submission::Collected& collected) const;
 
   // Of sources that have a new name: what there is under others. `sources` leads from each to its
   // name.
@@ -91,6 +94,7 @@ class ClassFolder {
 
  private:
   void lock();
+  void endWork() const;
   void readOrWriteRun(const RunAsked& asked);
   void expectSame(const RunAsked& asked) const;
   Run runOfRecords(const RunAsked& asked) const;

@@ -23,6 +23,8 @@ using Clock = std::chrono::steady_clock;
 using record::SubmissionRecord;
 using submission::Submission;
 
+constexpr const char* kNoSandbox = "none";
+
 // As it stands in records.
 std::string sourceOf(const fs::path& source) {
   return fs::absolute(source).lexically_normal().string();
@@ -82,7 +84,7 @@ class ClassRun {
         folder_(folder),
         confinement_(std::move(confinement)),
         options_(options),
-        build_(thisBuild(confinement_ ? confinement_->name() : "none")),
+        build_(thisBuild(confinement_ ? confinement_->name() : kNoSandbox)),
         graded_(found.submissions.size()),
         pace_(found.submissions.size(), events) {}
 
@@ -139,13 +141,15 @@ class ClassRun {
 
   bool stopped() const { return pace_.stopped() || failed_; }
 
-  // One that ran out of time may go further now: the clock says something of the machine.
+  // One that ran out of time may go further now: the clock says something of the machine. What a
+  // submission did that nothing shut in is not believed where something can.
   bool isSame(const SubmissionRecord& known, const std::string& name,
               const submission::Collected& collected) const {
     return known.name == name && known.contents == collected.contents &&
            known.seed == folder_.seed() && known.build.program == build_.program &&
            known.build.flags == build_.flags && known.build.compiler == build_.compiler &&
-           known.hasMarks() && !known.outOfTime;
+           (known.build.sandbox != kNoSandbox || !confinement_) && known.hasMarks() &&
+           !known.outOfTime;
   }
 
   void gradeOne(std::size_t i) {
@@ -155,7 +159,7 @@ class ClassRun {
         submission, {},
         folder_.whole() ? std::span<const int>() : std::span<const int>(folder_.parts()));
     if (const auto known = folder_.find(name); known && isSame(*known, name, collected)) {
-      folder_.noteSource(*known, sourceOf(submission.source));
+      folder_.noteHandedIn(*known, sourceOf(submission.source), collected);
       graded_[i] = true;
       pace_.done(i, *known, true);
       return;

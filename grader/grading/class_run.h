@@ -32,11 +32,12 @@ struct ClassEvents {
 };
 
 // The names of the submissions' records, in their order. What was graded before, from the same
-// files by the same program, is not graded again, unless it ran out of time. Where a submission has
-// another name by now, what is under its old one is removed. A submission that the grader or the
-// machine fails at is tried twice, and its record says so. What is left out, or cannot be read, has
-// a record that says why. Stops when it is told to, with the records that are there by then. Throws
-// UsageError, before anything is graded, where a record belongs to another submission.
+// files by the same program, is not graded again, unless it ran out of time, or had no sandbox and
+// has one by now. Where a submission has another name by now, what is under its old one is removed.
+// A submission that the grader or the machine fails at is tried twice, and its record says so. What
+// is left out, or cannot be read, has a record that says why. Stops when it is told to, with the
+// records that are there by then, and fewer names than submissions. Throws UsageError, before
+// anything is graded, where a record belongs to another submission.
 std::vector<std::string> gradeClass(const submission::FoundSubmissions& found,
                                     const ClassFolder& folder,
                                     std::shared_ptr<Confinement> confinement,

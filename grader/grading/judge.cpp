@@ -57,6 +57,16 @@ bool anythingWritten(const record::PartRecord& part) {
       [](const record::FunctionRecord& f) { return f.verdict != record::Verdict::kNotWritten; });
 }
 
+// What an exception says, and what a file is called that is opened, is chosen by the coursework, as
+// printed text is.
+std::string withoutItsWords(const std::string& sentence) {
+  for (const std::string_view before :
+       {"an exception that nobody caught", "a forbidden system call"})
+    if (const std::size_t at = sentence.find(before); at != std::string::npos)
+      return sentence.substr(0, at + before.size()) + ".";
+  return sentence;
+}
+
 }  // namespace
 
 // One submission on its way.
@@ -69,7 +79,7 @@ class Judge::Session {
   Judged run() {
     record::SubmissionRecord& record = judged_.record;
     record.seed = judge_.options_.seed;
-    build_ = buildCoursework(folder_, Incomplete::kCompileOnly, judge_.confinement_);
+    build_ = buildCoursework(folder_, Incomplete::kCompileOnly, judge_.confinement_, threads_);
     check();
     for (record::PartRecord& part : record.parts) {
       show(part);
@@ -77,8 +87,8 @@ class Judge::Session {
     }
     if (judge_.options_.whole) showWhole();
     throwIfInterrupted();
-    forgetFolder(record, folder_);
     record.printed = printed_;
+    forgetFolder(record, folder_);
     record.outOfTime = outOfTime_;
     record.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
     return std::move(judged_);
@@ -129,13 +139,14 @@ class Judge::Session {
     judged_.record.scenes = recordScenes(results);
   }
 
+  // A worker of linkWithOthers. Its coursework can read the solutions beside it, and print them:
+  // none of its text is kept.
   std::unique_ptr<WorkerProcess> start(const std::filesystem::path& program) {
     WorkerProcess::Options options;
     options.program = program;
     options.courseworkFolder = folder_;
     options.confinement = judge_.confinement_;
     options.limits.memoryBytes = memoryOfWorker();
-    options.onText = [&](std::string_view text) { keepPrinted(text); };
     options.goOn = [&] { return goOn(); };
     return std::make_unique<WorkerProcess>(std::move(options));
   }
@@ -180,6 +191,7 @@ class Judge::Session {
           compared.record.failure = "The time for the whole submission was up before this picture.";
         }
       }
+      compared.record.failure = withoutItsWords(compared.record.failure);
       images.push_back(std::move(compared.image));
       take(std::move(compared), fmt::format("{}_{}", name, k + 1), pictures);
     }
@@ -236,11 +248,12 @@ class Judge::Session {
     static constexpr std::array kAll{0, 1, 2, 3, 4, 5, 6};
     const LinkedWorker linked = linkWithOthers(build_, kAll, judge_.solutions_);
     compare(linked, judge_.wholeScenes_, "whole", true, judged_.record.pictures);
-    for (record::SceneRecord& scene : judged_.record.scenes) showScene(scene);
+    std::size_t number = 0;
+    for (record::SceneRecord& scene : judged_.record.scenes) showScene(scene, ++number);
   }
 
   // With the solutions: what a scene shows does not depend on mistakes in other parts.
-  void showScene(record::SceneRecord& scene) {
+  void showScene(record::SceneRecord& scene, std::size_t number) {
     try {
       const std::filesystem::path file = folder_ / "scenes" / scene.file;
       const LoadedScene full = loadScene(file);
@@ -260,7 +273,8 @@ class Judge::Session {
       const RenderedImage rendered =
           renderImage(*worker, settings, [&](const RenderStatus&) { return goOn(); });
       throwIfInterrupted();
-      scene.picture = fmt::format("pictures/{}.png", file.stem().string());
+      // Whatever a student calls it, it is no other picture's name.
+      scene.picture = fmt::format("pictures/scene_{}.png", number);
       judged_.files[scene.picture] = encodePng(rendered.image, shown.exposure);
     } catch (const SceneError&) {
       // It was said already.

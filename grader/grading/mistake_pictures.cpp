@@ -36,7 +36,8 @@ std::optional<Image> MistakePictures::make(const std::string& mistake,
   if (variant == all.end()) return {};
   const ScratchFolder folder(nullptr);
   applyVariant(*variant, folder.path());
-  const CourseworkBuild build = buildCoursework(folder.path(), Incomplete::kCompileOnly);
+  const CourseworkBuild build =
+      buildCoursework(folder.path(), Incomplete::kCompileOnly, {}, threads);
   if (!build.parts[placeOfPart(variant->part)].compiled) return {};
   WorkerProcess::Options options;
   options.courseworkFolder = folder.path();

@@ -196,6 +196,7 @@ void forgetFolder(record::SubmissionRecord& record, const std::filesystem::path&
   for (record::CheckRecord& image : record.images) cleanCheck(image);
   for (record::SceneRecord& scene : record.scenes) clean(scene.message);
   cleanPictures(record.pictures);
+  clean(record.printed);  // a failed assertion says its file
 }
 
 }  // namespace pathmark::grading

@@ -22,8 +22,8 @@ std::vector<record::CheckRecord> recordImages(const checks::CourseworkResults& r
 
 std::vector<record::SceneRecord> recordScenes(const checks::CourseworkResults& results);
 
-// Takes the name of the folder that the coursework was compiled in out of all sentences: it means
-// nothing to anybody.
+// Takes the name of the folder that the coursework was compiled in out of all sentences, and of
+// what it printed: it means nothing to anybody.
 void forgetFolder(record::SubmissionRecord& record, const std::filesystem::path& folder);
 
 }  // namespace pathmark::grading

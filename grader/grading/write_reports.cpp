@@ -44,6 +44,12 @@ std::string ClassReports::table(bool colour) const {
   return report::classTable(gradedOf(records_, marks_, nullptr), colour);
 }
 
+bool ClassReports::anyFailed() const {
+  return !unreadable_.empty() ||
+         std::any_of(records_.begin(), records_.end(),
+                     [](const record::SubmissionRecord& record) { return record.internalError(); });
+}
+
 ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubric,
                           const std::vector<std::string>& notYet) {
   std::vector<record::SubmissionRecord> records;

@@ -28,6 +28,9 @@ class ClassReports {
   // Names of submissions whose records are damaged: they have no marks.
   const std::vector<std::string>& unreadable() const { return unreadable_; }
 
+  // Whether one has no marks because of that, or because the grader or the machine failed at it.
+  bool anyFailed() const;
+
  private:
   std::vector<record::SubmissionRecord> records_;
   std::vector<rubric::Marks> marks_;

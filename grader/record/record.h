@@ -34,7 +34,7 @@ enum class Verdict {
   kMemoryLimit,
   kOutputLimit,
   kForbiddenCall,
-  kInternalError,  // of the grader or the machine; the only one that is tried again
+  kInternalError,  // of the grader or the machine
 };
 
 // "ok", "not written", "does not compile", "time limit", ...

@@ -229,12 +229,18 @@ std::vector<MarkLine> markPart(const record::SubmissionRecord& record,
     functions.emplace_back(&function, weight == worth.weights.end() ? 1.0 : weight->second);
     sum += functions.back().second;
   }
+  // Where efficiency has all the points, the functions still say how far it counts.
+  const double left = worth.points - worth.efficiency, share = left > 0.0 ? left : worth.points;
   std::vector<MarkLine> lines;
   lines.reserve(functions.size() + 1);
   for (const auto& [function, weight] : functions)
-    lines.push_back(
-        marker.markFunction(*function, (worth.points - worth.efficiency) * weight / sum));
-  if (worth.efficiency > 0.0) lines.push_back(marker.markEfficiency(lines));
+    lines.push_back(marker.markFunction(*function, share * weight / sum));
+  if (worth.efficiency > 0.0) {
+    MarkLine efficiency = marker.markEfficiency(lines);
+    if (left == 0.0)
+      for (MarkLine& line : lines) line.points = line.outOf = 0.0;
+    lines.push_back(std::move(efficiency));
+  }
   reviewEfficiency(part, rubric, toReview);
   return lines;
 }

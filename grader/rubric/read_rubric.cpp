@@ -1,6 +1,5 @@
 #include "checks/all_checks.h"
 #include "host/build_config.h"
-#include "host/content_hash.h"
 #include "rubric/rubric.h"
 #include "scene/json_object.h"
 #include "scene/json_text.h"
@@ -245,12 +244,10 @@ Rubric readRubric(const std::filesystem::path& file) {
   try {
     const SceneSource source{file, readText(file, "a rubric is a JSON file")};
     checkSyntax(source);
-    json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
+    const json value = json::parse(source.text.begin(), source.text.end(), nullptr, true, true);
     const Place top(source);
     Rubric rubric = readTop(value, top);
     rubric.file = file;
-    value.erase("$schema");
-    rubric.hash = contentHash(value.dump());  // without spaces and comments, keys sorted
     return rubric;
   } catch (const SceneError& error) {
     throw RubricError(error.what());

@@ -2,7 +2,6 @@
 //
 //   Rubric           points, credits and bands
 //   readRubric       from a file such as rubric.json; rubric.schema.json says what may stand in it
-//   rubricHash       two rubrics that mean the same have the same
 //   markSubmission   marks, with the reason for each that is lost
 //
 // Marks depend on nothing but record and rubric. A larger bias never earns more, an efficiency that
@@ -71,15 +70,12 @@ struct Rubric {
   double reviewAbove = 3.0;  // an efficiency that a person should look at
 
   std::filesystem::path file;  // that it was read from
-  std::string hash;
 };
 
 std::filesystem::path defaultRubric();  // the file rubric.json beside this one
 
 // Throws RubricError.
 Rubric readRubric(const std::filesystem::path& file);
-
-inline const std::string& rubricHash(const Rubric& rubric) { return rubric.hash; }
 
 // Parts of which the record says nothing were not graded, and are left out.
 Marks markSubmission(const record::SubmissionRecord& record, const Rubric& rubric);

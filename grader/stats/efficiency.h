@@ -48,8 +48,6 @@ Standing standing(const EfficiencyRatio& ratio, double threshold);
 // Band k of a scale lies from thresholds[k - 1] to thresholds[k]: 0 is below all of them.
 struct BandRange {
   int lowest = 0, highest = 0;
-
-  bool decided() const { return lowest == highest; }
 };
 
 // thresholds: ascending. The bands of both ends of the interval; the student gets the highest, or

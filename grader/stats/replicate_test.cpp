@@ -10,19 +10,6 @@
 
 namespace pathmark::stats {
 
-namespace {
-
-// Relative entropy of the two-valued distributions with these probabilities.
-double entropy(double p, double q) {
-  const auto term = [](double a, double b) { return a > 0.0 ? a * std::log(a / b) : 0.0; };
-  return term(p, q) + term(1.0 - p, 1.0 - q);
-}
-
-// Standard errors within which an expected value is known for certain.
-constexpr double kExactly = 8.0;
-
-}  // namespace
-
 ReplicateTest::ReplicateTest(double expected, double expectedStandardError,
                              const Guarantee& guarantee)
     : guarantee_(guarantee),
@@ -32,22 +19,6 @@ ReplicateTest::ReplicateTest(double expected, double expectedStandardError,
 void ReplicateTest::add(double replicate) {
   replicates_.add(replicate);
   finite_ = finite_ && std::isfinite(replicate);
-  inRange_ = inRange_ && guarantee_.low <= replicate && replicate <= guarantee_.high;
-}
-
-// P(a mean at least as far out), two-sided, for any distribution on [low, high]: Hoeffding,
-// "Probability Inequalities for Sums of Bounded Random Variables", JASA 58, 1963, theorem 1.
-double ReplicateTest::boundedTail() const {
-  const double range = guarantee_.high - guarantee_.low;
-  if (!inRange_ || !std::isfinite(range)) return 1.0;
-  const double reach = guarantee_.tolerance + kExactly * std::sqrt(expectedVariance_);
-  const double mean = replicates_.mean();
-  const double nearest = std::clamp(mean, expected_ - reach, expected_ + reach);
-  if (nearest == mean) return 1.0;
-  const double p = std::clamp((mean - guarantee_.low) / range, 0.0, 1.0);
-  const double q = (nearest - guarantee_.low) / range;
-  if (q <= 0.0 || q >= 1.0) return 0.0;
-  return std::min(2.0 * std::exp(-static_cast<double>(replicates_.count()) * entropy(p, q)), 1.0);
 }
 
 Judgement ReplicateTest::judge(int look) const {
@@ -74,9 +45,8 @@ Judgement ReplicateTest::judge(int look) const {
     return std::max(guarantee_.skewness, -side * measured + std::sqrt(6.0 / n));
   };
 
-  const bool bounded = std::isfinite(guarantee_.high - guarantee_.low);
-  const double alpha = guarantee_.alpha / guarantee_.looks, share = bounded ? 0.5 : 1.0;
-  const double t = studentCritical(share * alpha, degrees);
+  const double alpha = guarantee_.alpha / guarantee_.looks;
+  const double t = studentCritical(alpha, degrees);
   const double root = std::sqrt(n);
   const auto critical = [&](double side) { return t * widening(t * skewness(side) / root); };
   const double side = result.error < 0.0 ? -1.0 : 1.0;
@@ -85,11 +55,10 @@ Judgement ReplicateTest::judge(int look) const {
   const double excess = std::max(std::abs(result.error) - guarantee_.tolerance, 0.0);
   if (excess > 0.0) result.statistic = excess / result.standardError;  // infinite without variance
 
-  if (bounded) result.pValue = boundedTail() / (1.0 - share);
   const double most = std::max(skewness(-1.0), skewness(1.0));
   if (t * most <= kMostSkewness * root) {
     const double straight = straightened(result.statistic, result.skewness / root);
-    result.pValue = std::min(result.pValue, studentTail(straight, degrees) / share);
+    result.pValue = studentTail(straight, degrees);
     const double q = studentCritical(2.0 * (1.0 - guarantee_.power) / guarantee_.looks, degrees);
     const double reach = std::max(critical(-1.0), critical(1.0)) + q * widening(q * most / root);
     result.shown = guarantee_.tolerance + reach * result.standardError;

@@ -28,11 +28,6 @@ struct Guarantee {
   // known and larger, give that one: the replicates of one submission may happen to lack just the
   // rare values that make them skew.
   double skewness = 0.5;
-
-  // All replicates of a correct function lie between these. With both finite, a mean that no such
-  // distribution explains fails however skew the replicates are.
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
 };
 
 enum class Outcome { kPass, kFail, kUndecided };
@@ -65,8 +60,6 @@ struct Judgement {
 // error (skewed_student.h): G is that of the sample plus its standard error sqrt(6 / n), at least
 // Guarantee::skewness. Where that is larger than kMostSkewness allows, nothing fails by t.
 //
-// Where low and high are known, half of alpha goes to a bound that holds for every distribution.
-//
 // Verified by importance sampling (stats_far_tail_test.cpp, and a larger run for n from 64 to
 // 1024): for alpha from 1e-2 to 3e-13 the false-fail rate is at most alpha for replicates whose
 // true |skewness| is at most 1.5 times Guarantee::skewness, thus 0.75 unless that is raised. The
@@ -94,12 +87,10 @@ class ReplicateTest {
   const RunningMoments& replicates() const { return replicates_; }
 
  private:
-  double boundedTail() const;
-
   Guarantee guarantee_;
   double expected_, expectedVariance_;
   RunningMoments replicates_;
-  bool finite_ = true, inRange_ = true;
+  bool finite_ = true;
 };
 
 // A fail is worse than what is undecided, and that is worse than a pass. Of two that fail or pass

@@ -109,6 +109,29 @@ TEST_F(GradeCommand, CtrlCKeepsWhatIsDone) {
   EXPECT_FALSE(rowOf(textOf(out() / "marks.csv"), "d").starts_with("d,,"));
 }
 
+TEST_F(GradeCommand, CtrlCAfterTheLastOneInterruptsNothing) {
+  add("a");
+  BackgroundProgram program(command({"--jobs", "1"}), kRoot, folder_ / "log");
+  ASSERT_TRUE(waitFor([&] { return fs::exists(recordOf("a")); }));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait(), 0);
+  EXPECT_EQ(textOf(folder_ / "log").find("goes on from here"), std::string::npos);
+  EXPECT_FALSE(rowOf(textOf(out() / "marks.csv"), "a").starts_with("a,,"));
+}
+
+TEST_F(GradeCommand, SaysInItsExitCodeThatTheMachineFailedWhereverTheRecordIsFrom) {
+  add("right");
+  ASSERT_EQ(grade().exitCode, 0);
+  Json failed = record("right");
+  failed["failure"] = "The grader, or the machine, failed twice: no memory";
+  std::ofstream(recordOf("right")) << failed.dump();
+  const std::vector<std::string> anew{PATHMARK_PROGRAM, "grade",  "--out",
+                                      quoted(out()),    "--only", "part6"};
+  EXPECT_EQ(run(anew, kRoot).exitCode, 3);
+  EXPECT_TRUE(rowOf(textOf(out() / "marks.csv"), "right").starts_with("right,,"));
+  EXPECT_EQ(grade().exitCode, 0) << "it is graded again";
+}
+
 TEST_F(GradeCommand, JobsChangeNoMark) {
   add("right");
   add("wrong", kWeight, "return {true, 0.9f / q};");
@@ -169,6 +192,7 @@ TEST_F(GradeCommand, GradesAgainWhatHasADamagedRecord) {
   std::ofstream(recordOf("right")) << "{";
   const ProcessResult marks =
       run({PATHMARK_PROGRAM, "grade", "--out", quoted(out()), "--only", "part6"}, kRoot);
+  EXPECT_EQ(marks.exitCode, 3);
   EXPECT_NE(marks.output.find("this record is damaged"), std::string::npos) << marks.output;
   const std::string row = rowOf(textOf(out() / "marks.csv"), "right");
   EXPECT_TRUE(row.starts_with("right,,")) << row;

@@ -81,6 +81,49 @@ TEST_F(GradeFolder, RemarksOnNoFileOfAnotherPartThanTheSelectedOne) {
   EXPECT_EQ(record("right")["collecting"], Json::array());
 }
 
+TEST_F(GradeFolder, SaysWhatIsHandedInBesideTheSameFiles) {
+  add("right");
+  fs::remove(classFolder() / "right/part6_roulette.cpp");
+  ASSERT_EQ(grade().exitCode, 0);
+  const Json before = record("right");
+  const std::string csv = textOf(out() / "marks.csv");
+  EXPECT_EQ(csv.find("something was handed in"), std::string::npos) << csv;
+  std::ofstream(classFolder() / "right/part6_roulette (1).cpp") << "// all of it\n";
+  std::ofstream(classFolder() / "right/part6_roulette (2).cpp") << "// or this\n";
+  ASSERT_EQ(grade().exitCode, 0);
+  Json after = record("right");
+  EXPECT_NE(after["collecting"], before["collecting"]);
+  after["collecting"] = before["collecting"];
+  EXPECT_EQ(after, before) << "the same files, so that it is not graded again";
+  const std::string later = textOf(out() / "marks.csv");
+  EXPECT_NE(later.find("something was handed in"), std::string::npos) << later;
+}
+
+TEST_F(GradeFolder, DoesNotBelieveWhatWasGradedWithoutASandboxOnceThereIsOne) {
+  add("right");
+  ASSERT_EQ(grade().exitCode, 0);
+  Json made = record("right");
+  const std::string sandbox = made["build"]["sandbox"];
+  if (sandbox == "none") GTEST_SKIP() << "no sandbox works here";
+  made["build"]["sandbox"] = "none";
+  std::ofstream(recordOf("right")) << made.dump();
+  ASSERT_EQ(grade().exitCode, 0);
+  EXPECT_EQ(record("right")["build"]["sandbox"], sandbox);
+}
+
+TEST_F(GradeFolder, SaysNothingOfItsOwnFolderAmongTheSubmissions) {
+  add("right");
+  for (int again = 0; again < 2; ++again) {
+    const fs::path inside = classFolder() / "grades";
+    const ProcessResult result = run({PATHMARK_PROGRAM, "grade", quoted(classFolder()), "--out",
+                                      quoted(inside), "--only", "part6"},
+                                     kRoot);
+    EXPECT_EQ(result.exitCode, 0) << result.output;
+    EXPECT_EQ(result.output.find("was left out"), std::string::npos) << result.output;
+    EXPECT_EQ(rowOf(textOf(inside / "marks.csv"), "grades"), "");
+  }
+}
+
 TEST_F(GradeFolder, KeepsApartNamesThatDifferBeyondAscii) {
   for (const char* name : {"M\u00fcller", "M\u00f6ller"}) {
     add(name);

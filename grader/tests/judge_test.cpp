@@ -1,7 +1,9 @@
 // From a submission's files to its record.
 #include "grading/judge.h"
+#include "checks/runner.h"
 #include "grading/record_results.h"
 #include "host/build_config.h"
+#include "host/session.h"
 #include "record/record_json.h"
 #include "support/test_coursework_files.h"
 #include "variants/variant.h"
@@ -192,6 +194,69 @@ TEST_F(JudgeTest, ACrashIsToldWithItsFunctionAndLine) {
   EXPECT_EQ(broken->got.find("part6_roulette.cpp:5, in LitScene::RussianRoulette"), 0u)
       << broken->got;
   EXPECT_NE(part.pictures.at(0).failure, "");
+}
+
+// Beside them in the worker stand solutions that it could print.
+TEST_F(JudgeTest, KeepsNothingThatIsPrintedWhilePicturesAreMade) {
+  const fs::path place = submission();
+  std::ofstream(place / "part6_roulette.cpp", std::ios::app)
+      << "#include <cstdio>\n"
+         "static const int said = (std::puts(\"started \" __FILE__), std::fflush(stdout));\n";
+  const auto lines = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  checks::Selection selection;
+  selection.parts = {6};
+  selection.images = selection.scenes = false;
+  checks::RunOptions options;
+  options.seed = kSeed;
+  std::string inChecks;
+  options.onText = [&](std::string_view text) { inChecks += text; };
+  checks::runChecks(buildCoursework(place, Incomplete::kCompileOnly), selection, options, {});
+  ASSERT_GT(lines(inChecks), 0);
+
+  Judge judge(onlyPart(6), nullptr);
+  const Judged judged = judge.judge(place, 2, kGoOn);
+  EXPECT_FALSE(judged.record.parts.at(0).pictures.empty());
+  EXPECT_EQ(lines(judged.record.printed), lines(inChecks)) << judged.record.printed;
+  EXPECT_EQ(judged.record.printed.find("started part6_roulette.cpp\n"), 0u)
+      << judged.record.printed;
+  EXPECT_EQ(judged.record.printed.find(place.string()), std::string::npos) << judged.record.printed;
+}
+
+TEST_F(JudgeTest, KeepsNothingThatIsThrownWhilePicturesAreMade) {
+  Judge judge(onlyPart(6), nullptr);
+  const Judged judged = judge.judge(
+      submission("part6_roulette.cpp",
+                 "#include <pathmark/coursework.h>\n"
+                 "#include <stdexcept>\n"
+                 "namespace pathmark {\n"
+                 "Roulette LitScene::RussianRoulette(const Colour&, int, float) const {\n"
+                 "  throw std::runtime_error(\"words\");\n"
+                 "}\n"
+                 "}\n"),
+      2, kGoOn);
+  const std::string failure = judged.record.parts.at(0).pictures.at(0).failure;
+  EXPECT_NE(failure.find("an exception that nobody caught."), std::string::npos) << failure;
+  EXPECT_EQ(failure.find("words"), std::string::npos) << failure;
+}
+
+TEST_F(JudgeTest, TheNameOfASceneReplacesNoOtherPicture) {
+  const fs::path place = folder_ / "coursework";
+  fs::create_directories(place / "scenes");
+  fs::copy_file(courseworkFolder("solutions") / "part6_roulette.cpp", place / "part6_roulette.cpp");
+  JudgeOptions options = onlyPart(6);
+  options.whole = true;
+  Judge judge(options, nullptr);
+  const Judged without = judge.judge(place, 2, kGoOn);
+  const std::string reference = without.record.parts.at(0).pictures.at(0).reference;
+  fs::copy_file(shippedSceneFile("cornell_box"),
+                place / "scenes" / fs::path(reference).filename().replace_extension(".json"));
+  const Judged with = judge.judge(place, 2, kGoOn);
+  ASSERT_EQ(with.record.scenes.size(), 1u);
+  EXPECT_TRUE(with.files.contains(with.record.scenes[0].picture)) << with.record.scenes[0].message;
+  EXPECT_NE(with.record.scenes[0].picture, reference);
+  EXPECT_EQ(with.files.at(reference), without.files.at(reference));
 }
 
 TEST_F(JudgeTest, StopsWhereItIsToldTo) {

@@ -67,6 +67,19 @@ TEST_F(Marking, EachVerdictIsWorthWhatTheRubricSays) {
   }
 }
 
+TEST_F(Marking, EfficiencyWithAllThePointsCountsAsFarAsTheFunctionsAreRight) {
+  rubric_ = {};
+  rubric_.parts = {{3, 12.0, 12.0, {}, {}}};
+  rubric_.step = 0.0;
+  EXPECT_EQ(mark().points, 12.0);
+  function(record_, "3.3").verdict = Verdict::kNotWritten;
+  EXPECT_DOUBLE_EQ(mark().points, 8.0);
+  EXPECT_EQ(lineOf(mark(), "3.3").outOf, 0.0);
+  for (FunctionRecord& f : part(record_, 3).functions) f.verdict = Verdict::kNotWritten;
+  EXPECT_EQ(mark().points, 0.0);
+  EXPECT_EQ(mark().outOf, 12.0);
+}
+
 // Where every picture hides it: a roulette that never ends a path is unbiased.
 TEST_F(Marking, WhatAnswersAsTheStubEarnsNothing) {
   FunctionRecord& stub = function(record_, "6.1");

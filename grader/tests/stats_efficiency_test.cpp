@@ -98,7 +98,8 @@ TEST(BandRange, HoldsTheBandsOfBothEnds) {
   constexpr std::array<double, 3> kThresholds{0.5, 0.9, 2.0};
   EXPECT_EQ(bandRange({1.0, 0.8, 1.25}, kThresholds).lowest, 1);
   EXPECT_EQ(bandRange({1.0, 0.8, 1.25}, kThresholds).highest, 2);
-  EXPECT_TRUE(bandRange({1.2, 1.0, 1.4}, kThresholds).decided());
+  EXPECT_EQ(bandRange({1.2, 1.0, 1.4}, kThresholds).lowest, 2);
+  EXPECT_EQ(bandRange({1.2, 1.0, 1.4}, kThresholds).highest, 2);
 }
 
 }  // namespace

@@ -1,21 +1,59 @@
 // From a folder of files to a worker: what is compiled, what is kept, what is refused.
 #include "host/coursework_builder.h"
 
+#include "host/build_config.h"
 #include "host/session.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 namespace pathmark::test {
 namespace {
+
+// In which every step ends in the same way. Counts how many there are at the same time.
+class EndingConfinement : public Confinement {
+ public:
+  explicit EndingConfinement(ProcessResult ending) : ending_(std::move(ending)) {}
+
+  std::string name() const override { return "ending"; }
+  std::filesystem::path visible(const std::filesystem::path& path) override { return path; }
+  std::filesystem::path makeScratchFolder() override {
+    std::filesystem::path made = folder_ / std::to_string(++scratches_);
+    std::filesystem::create_directories(made);
+    return made;
+  }
+  ProcessResult run(const Step&) override {
+    const int steps = ++steps_;
+    for (int most = mostSteps_; steps > most && !mostSteps_.compare_exchange_weak(most, steps);) {
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    --steps_;
+    return ending_;
+  }
+  LaunchedWorker launch(const std::filesystem::path&, std::size_t) override {
+    throw ConfinementError("nothing is started here");
+  }
+
+  int mostSteps() const { return mostSteps_; }
+
+ private:
+  ProcessResult ending_;
+  TemporaryFolder folder_;
+  std::atomic<int> scratches_{0}, steps_{0}, mostSteps_{0};
+};
+
+constexpr int kKilled = 128 + 9;
 
 TEST(CourseworkBuilder, NothingIsCompiledTwice) {
   TestCoursework coursework;
@@ -54,6 +92,33 @@ TEST(CourseworkBuilder, AVariableWithoutAValueIsAWarning) {
       "float best;\nif (sampler.next1D() < 0.5f) best = ray.direction.x;\nreturn Colour(best);");
   EXPECT_NE(compilePart(coursework.folder(), 5).warnings().find("uninitialized"),
             std::string_view::npos);
+}
+
+TEST(CourseworkBuilder, StartsNoMoreCompilersThanItIsAllowed) {
+  TestCoursework coursework;
+  const auto confinement = std::make_shared<EndingConfinement>(ProcessResult{1, false, 0.0, ""});
+  buildCoursework(coursework.folder(), Incomplete::kCompileOnly, confinement, 1);
+  EXPECT_EQ(confinement->mostSteps(), 1);
+  buildCoursework(coursework.folder(), Incomplete::kCompileOnly, confinement, 4);
+  EXPECT_LE(confinement->mostSteps(), 4);
+  EXPECT_GT(confinement->mostSteps(), 1);
+}
+
+TEST(CourseworkBuilder, ACompilerThatTheMachineKillsIsNoFaultOfTheCoursework) {
+  TestCoursework coursework;
+  const std::string words = std::filesystem::path(build::kCompiler).filename().string() +
+                            ": fatal error: Killed signal terminated program cc1plus\n"
+                            "compilation terminated.\n";
+  const auto built = [&](const ProcessResult& ending) {
+    return buildCoursework(coursework.folder(), Incomplete::kCompileOnly,
+                           std::make_shared<EndingConfinement>(ending));
+  };
+  EXPECT_THROW(built({kKilled, false, 0.0, ""}), std::system_error);
+  EXPECT_THROW(built({1, false, 0.0, words}), std::system_error);
+  EXPECT_THROW(built({1, false, 0.0, "a warning\n" + words}), std::system_error);
+  // Words of the coursework, after its file and line.
+  EXPECT_FALSE(built({1, false, 0.0, "part0.cpp:1:2: error: #error " + words}).complete());
+  EXPECT_FALSE(built({kKilled, true, 60.0, ""}).complete()) << "stopped at its time limit";
 }
 
 TEST(CourseworkBuilder, AnErrorNamesFileAndLineAndGivesNoWorker) {
