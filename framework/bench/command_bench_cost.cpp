@@ -67,7 +67,7 @@ void addFigures(Report& report, const Cost& cost) {
         {.key = key,
          .name = fmt::format("time grows with {}, as a power", what),
          .value = s.value,
-         .error = (s.high - s.value) / 2.0,
+         .error = s.error,
          .note =
              fmt::format("1 is in proportion, and a picture is written once, whatever its rays; "
                          "95 % interval {:.3f} to {:.3f}",

@@ -95,7 +95,13 @@ ErrorPlan planFor(const BenchErrorArguments& arguments) {
   plan.referenceFile = arguments.reference;
   if (!arguments.reference.empty() && plan.scenes.size() > 1)
     throw UsageError("--reference: it is the image of one scene, and there are several.");
-  for (const std::string& scene : plan.scenes) findScene(scene);
+  for (const std::string& scene : plan.scenes) {
+    const std::string name = findScene(scene).stem().string();
+    if (!arguments.csv.empty() && name.find_first_of(",\"\n\r") != std::string::npos)
+      throw UsageError(fmt::format(
+          "{}: with --csv a scene's name has no commas, quotes or line ends; rename the file.",
+          scene));
+  }
   readPeerWords(arguments, plan);
   return plan;
 }

@@ -164,7 +164,7 @@ void addBenchPreviewCommand(CLI::App& bench, CommandAction& action) {
       "Examples:\n"
       "  ./pathmark bench preview\n"
       "  ./pathmark bench preview blob --saves 3\n\n"
-      "One file of seven is saved with a new comment, while the picture is being rendered: the\n"
+      "One file of nine is saved with a new comment, while the picture is being rendered: the\n"
       "time has noticing it, compiling, linking, starting the worker, loading the scene and one\n"
       "ray for each pixel in it.");
   command->callback([arguments, &action] { action = [arguments] { return measure(*arguments); }; });

@@ -74,6 +74,10 @@ Json meshJson(const FlatScene& scene, std::size_t shape, const fs::path& folder)
 
 fs::path writeCyclesScene(const BenchScene& bench, const CyclesJob& job, const fs::path& folder) {
   const FlatScene& scene = bench.scene.flat;
+  if (scene.maxBounces == 0)
+    throw UsageError(
+        "--peer cycles: Cycles has no paths without a scattering event, as the scene or "
+        "--max-bounces asks for with 0 bounces; allowed are 1 and more.");
   Json json{{"camera", cameraJson(scene.camera)},
             {"size", {scene.camera.width, scene.camera.height}},
             {"maxBounces", scene.maxBounces},

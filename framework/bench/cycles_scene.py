@@ -2,7 +2,7 @@
 #
 #   blender --background --factory-startup --python cycles_scene.py -- scene.json
 #
-# scene.json and the arrays that it names are written by cycles_peer.cpp, in which the fields are
+# scene.json and the arrays that it names are written by cycles_scene.cpp, in which the fields are
 # explained. Cycles gets the same path tracing: the same lengths of paths and one light sample at
 # each vertex, a box filter of one pixel, and none of what trades noise for bias.
 import array

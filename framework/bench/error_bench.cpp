@@ -24,7 +24,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kCyclesName = "Cycles";
-constexpr const char* kPeersMark = "peer";  // ErrorRun::made of images from elsewhere
+constexpr const char* kPeersWords = "peer";  // ErrorRun::made of images from elsewhere
 
 struct SceneBench {
   BenchScene scene;
@@ -70,8 +70,9 @@ class SceneMeasurement {
     for (const AskedEstimator& asked : plan_.estimators) {
       const auto coursework = courseworks.find(asked.name);
       if (coursework == courseworks.end()) continue;
-      const std::string made = contentHash(
-          fmt::format("{} {}{}", bench_.hash, coursework->second.worker.string(), asked.way.words));
+      const std::string made = madeBy(
+          bench_.hash,
+          fmt::format("{}{} {}", coursework->second.worker.string(), asked.way.words, plan_.seed));
       runs_.keepOnly(name(), asked.name, made);
       subjects_.push_back(
           {&asked, RunningEstimator(coursework->second, asked.way, bench_.scene.scene), made});
@@ -110,11 +111,17 @@ class SceneMeasurement {
 
   void addPeers() {
     std::map<ErrorPoint, std::uint64_t> replicates;
+    const auto isOfScene = [&](const PeerImage& peer) {
+      return peer.scene.empty() || peer.scene == name();
+    };
+    // Which images they were is not kept, and there may have been more of them.
+    for (const PeerImage& peer : plan_.peers)
+      if (isOfScene(peer)) runs_.keepOnly(name(), peer.name, {});
     for (const PeerImage& peer : plan_.peers) {
-      if (!peer.scene.empty() && peer.scene != name()) continue;
+      if (!isOfScene(peer)) continue;
       const ErrorPoint point{name(), peer.name, "", peer.raysPerPixel};
-      runs_.add(
-          {point, replicates[point]++, peer.cpuSeconds, deviationOf(imageOf(peer)), kPeersMark});
+      runs_.add({point, replicates[point]++, peer.cpuSeconds, deviationOf(imageOf(peer)),
+                 madeBy(bench_.hash, kPeersWords)});
     }
   }
 
@@ -154,10 +161,11 @@ class SceneMeasurement {
 
   void measureCycles(const CyclesPeer& cycles, std::uint64_t rays, std::uint64_t replicate) {
     const ErrorPoint point{name(), kCyclesName, "", rays};
-    const std::string made = contentHash(fmt::format("{} {}", bench_.hash, cycles.version()));
+    const std::string made =
+        madeBy(bench_.hash, fmt::format("{} {}", cycles.version(), plan_.seed));
     runs_.keepOnly(name(), kCyclesName, made);
     if (runs_.find(point, replicate, made) != nullptr) return;
-    const CyclesResult result = cycles.render(bench_.scene, rays, replicate);
+    const CyclesResult result = cycles.render(bench_.scene, rays, plan_.seed + replicate);
     runs_.add({point, replicate, result.renderCpuSeconds, deviationOf(result.image), made});
     onRun_();
   }
@@ -244,7 +252,8 @@ ErrorFindings measureErrors(const ErrorPlan& plan, ErrorRuns& runs,
       } catch (const Interrupted&) {
         findings.interrupted = true;
       }
-      findings.scenes.push_back(summarise(bench.scene.name, bench.reference.own, runs.all()));
+      findings.scenes.push_back(
+          summarise(bench.scene.name, bench.reference.own, runs.of(bench.hash)));
     } catch (const Interrupted&) {
       findings.interrupted = true;
     }

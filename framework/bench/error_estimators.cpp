@@ -1,5 +1,6 @@
 #include "bench/error_estimators.h"
 
+#include "bench/worker_clock.h"
 #include "host/display_path.h"
 #include "host/interrupt.h"
 #include "host/lab.h"
@@ -9,10 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <ctime>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace pathmark::bench {
@@ -23,14 +21,6 @@ namespace {
 
 // All that is asked for in one go fits a pixel's pass; a lab's may be slow.
 constexpr double kSecondsWithoutAnswer = 60.0;
-
-double cpuSecondsOf(pid_t process) {
-  clockid_t clock{};
-  timespec time{};
-  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0)
-    throw std::system_error(errno, std::generic_category(), "asking for a worker's CPU time");
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 WorkerProcess::Options workerOptions(const Coursework& coursework) {
   WorkerProcess::Options options;

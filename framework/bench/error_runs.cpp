@@ -1,5 +1,6 @@
 #include "bench/error_runs.h"
 
+#include "host/content_hash.h"
 #include "host/session.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ constexpr std::string_view kHead =
     "scene,estimator,sampler,rays_per_pixel,replicate,cpu_seconds,mse,relative_mse,worst_share,"
     "mean_deviation,made";
 constexpr std::size_t kColumns = 11;
+constexpr char kBetween = '-';  // of hashes
 
 std::vector<std::string_view> fieldsOf(std::string_view line) {
   std::vector<std::string_view> fields;
@@ -50,6 +52,10 @@ bool readRun(std::string_view line, ErrorRun& run) {
 
 }  // namespace
 
+std::string madeBy(const std::string& measure, const std::string& words) {
+  return measure + kBetween + contentHash(words);
+}
+
 const ErrorRun* ErrorRuns::find(const ErrorPoint& point, std::uint64_t replicate,
                                 const std::string& made) const {
   const auto found = std::find_if(runs_.begin(), runs_.end(), [&](const ErrorRun& run) {
@@ -73,6 +79,14 @@ void ErrorRuns::keepOnly(const std::string& scene, const std::string& estimator,
   std::erase_if(runs_, [&](const ErrorRun& run) {
     return run.point.scene == scene && run.point.estimator == estimator && run.made != made;
   });
+}
+
+std::vector<ErrorRun> ErrorRuns::of(const std::string& measure) const {
+  std::vector<ErrorRun> found;
+  std::ranges::copy_if(runs_, std::back_inserter(found), [&](const ErrorRun& run) {
+    return run.made.starts_with(measure + kBetween);
+  });
+  return found;
 }
 
 // Numbers in the shortest form that reads back to the same bits.

@@ -2,6 +2,7 @@
 //
 //   ErrorPoint   what was rendered, and with how many rays
 //   ErrorRun     one render of it
+//   madeBy       says what a run depends on
 //   ErrorRuns    all of them; read from a file and written to it, so that none is made twice
 #pragma once
 
@@ -29,8 +30,12 @@ struct ErrorRun {
   std::uint64_t replicate = 0;  // 0, 1, 2, ...: each has a seed of its own
   double cpuSeconds = 0.0;      // of rendering, without the program's start
   Deviation deviation;
-  std::string made;  // a hash of the scene, the reference and the program: what it depends on
+  std::string made;  // what it depends on, by madeBy
 };
+
+// `measure` is a hash of what runs must have in common to be compared: the scene and its reference.
+// `words` tell all else that a run depends on: the program and the seed.
+std::string madeBy(const std::string& measure, const std::string& words);
 
 class ErrorRuns {
  public:
@@ -45,6 +50,9 @@ class ErrorRuns {
   void keepOnly(const std::string& scene, const std::string& estimator, const std::string& made);
 
   const std::vector<ErrorRun>& all() const { return runs_; }
+
+  // Those of one measure.
+  std::vector<ErrorRun> of(const std::string& measure) const;
 
  private:
   std::vector<ErrorRun> runs_;

@@ -39,11 +39,13 @@ Interval jackknife(std::size_t replicates, const Statistic& statistic, double be
   const double half = stats::studentCritical(kOutside, n - 1.0) * error;
   interval.low = interval.value - half;
   interval.high = interval.value + half;
+  interval.error = error;
   return interval;
 }
 
 Interval exponential(const Interval& logarithm) {
-  return {std::exp(logarithm.value), std::exp(logarithm.low), std::exp(logarithm.high)};
+  const double value = std::exp(logarithm.value);
+  return {value, std::exp(logarithm.low), std::exp(logarithm.high), value * logarithm.error};
 }
 
 double logOfMean(std::span<const double> values, std::span<const std::size_t> replicates) {

@@ -16,6 +16,7 @@ namespace pathmark::bench {
 struct Interval {
   double value = std::numeric_limits<double>::quiet_NaN();
   double low = value, high = value;  // NaN if a single replicate tells nothing of it
+  double error = value;              // standard error; NaN likewise
 };
 
 // A statistic of the replicates with these numbers.

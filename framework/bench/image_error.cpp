@@ -85,4 +85,9 @@ Mean inverseOfProduct(const Mean& a, const Mean& b) {
   return {value, value * std::hypot(a.error / a.value, b.error / b.value)};
 }
 
+Mean ratioOf(const Mean& a, const Mean& b) {
+  const double value = a.value / b.value;
+  return {value, value * std::hypot(a.error / a.value, b.error / b.value)};
+}
+
 }  // namespace pathmark::bench

@@ -48,4 +48,7 @@ Mean meanOf(std::span<const double> values);
 // Of 1 / (a b), whose errors are independent.
 Mean inverseOfProduct(const Mean& a, const Mean& b);
 
+// Of a / b, likewise.
+Mean ratioOf(const Mean& a, const Mean& b);
+
 }  // namespace pathmark::bench

@@ -200,22 +200,24 @@ void addRateFigures(RenderBench& bench, const SceneSamples& s) {
 void addPeerFigures(RenderBench& bench, const SceneSamples& s) {
   const std::string& key = s.scene->key;
   const Mean ours = s.many.efficiency(), cycles = s.cycles.efficiency();
+  const Mean overCycles = ratioOf(ours, cycles);
   bench.add(
       {.key = key + "OverCycles",
        .name = fmt::format("{}: efficiency / Cycles', {} rays", key, bench.plan.manyRays),
-       .value = ours.value / cycles.value,
-       .error = ours.value / cycles.value *
-                std::hypot(ours.error / ours.value, cycles.error / cycles.value),
+       .value = overCycles.value,
+       .error = overCycles.error,
        .note = fmt::format("{}; {:.1f} of its {:.1f} CPU s are rendering", bench.cycles->version(),
                            meanOf(s.cyclesRenderCpu).value, meanOf(s.cycles.cpu).value)});
   for (const StoredPeer& stored : kStored) {
     if (key != stored.scene || bench.plan.manyRays != kRaysOfStored) continue;
     const double factor = cycles.value / stored.cycles;
+    // Both come from what Cycles has reached here, and have its relative error.
     const double best = std::max(stored.mitsuba * factor, cycles.value);
+    const Mean over = ratioOf(ours, {best, cycles.error * best / cycles.value});
     bench.add({.key = key + "OverBestPeer",
                .name = key + ": efficiency / the best peer's, 256 rays",
-               .value = ours.value / best,
-               .error = ours.error / best,
+               .value = over.value,
+               .error = over.error,
                .target = stored.target,
                .note = fmt::format("best peer {:.0f}, estimated: Mitsuba 3's stored {:.0f} x "
                                    "Cycles' efficiency here / stored, {:.2f}",

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace pathmark::preview {
@@ -45,10 +46,15 @@ constexpr double kIdleSeconds = 1.0;
 
 }  // namespace
 
-std::filesystem::path unusedFile(const std::string& stem, const char* ending) {
+std::string unusedStem(const std::string& stem, std::initializer_list<const char*> endings) {
   for (int k = 1;; ++k) {
-    std::filesystem::path file = fmt::format("{}_{:03}{}", stem, k, ending);
-    if (!std::filesystem::exists(file)) return file;
+    std::string numbered = fmt::format("{}_{:03}", stem, k);
+    // A name that there cannot be, such as one that is too long, is refused when it is written.
+    const auto isThere = [&](const char* ending) {
+      std::error_code error;
+      return std::filesystem::exists(numbered + ending, error);
+    };
+    if (std::ranges::none_of(endings, isThere)) return numbered;
   }
 }
 
@@ -194,6 +200,14 @@ void App::say(std::string text) {
   toastUntil_ = ImGui::GetTime() + kToastSeconds;
 }
 
+// Who is at the window reads the sentence; a script has the exit code alone.
+void App::cannotWrite(const ImageError& error) {
+  say(error.what());
+  if (options_.scripted()) exitCode_ = kMachineFault;
+}
+
+void App::askForWindowShot() { windowShot_ = unusedStem("pathmark_window", {".png"}) + ".png"; }
+
 void App::saveWindow(const std::filesystem::path& file) {
   Pixels pixels;
   showFrame(&pixels);
@@ -205,13 +219,11 @@ void App::saveWindow(const std::filesystem::path& file) {
     writeFileAtomically(file, encodePngBytes(pixels.width, pixels.height, rgb));
     say(fmt::format("Saved the window to {}", displayPath(file)));
   } catch (const ImageError& e) {
-    say(e.what());
-    exitCode_ = kMachineFault;
+    cannotWrite(e);
   }
 }
 
 void App::savePicture(const std::filesystem::path& file) {
-  if (!state_->picture) return say("There is no picture yet.");
   const Picture& picture = *state_->picture;
   ImageOrigin origin{
       .scene = picture.scene->loaded.name,
@@ -228,16 +240,16 @@ void App::savePicture(const std::filesystem::path& file) {
     writeImage(file, picture.image, exposure(), origin);
     say(fmt::format("Saved the picture to {}", displayPath(file)));
   } catch (const ImageError& e) {
-    say(e.what());
-    exitCode_ = kMachineFault;
+    cannotWrite(e);
   }
 }
 
 void App::saveBoth() {
-  const std::string stem = "pathmark_" + state_->picture->scene->loaded.name;
-  const std::filesystem::path png = unusedFile(stem, ".png");
-  savePicture(png);
-  savePicture(std::filesystem::path(png).replace_extension(".exr"));
+  if (!state_->picture) return say("There is no picture yet.");
+  const std::string stem =
+      unusedStem("pathmark_" + state_->picture->scene->loaded.name, {".png", ".exr"});
+  savePicture(stem + ".png");
+  savePicture(stem + ".exr");
 }
 
 // A script that cannot come to its picture ends with the reason.

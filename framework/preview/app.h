@@ -1,6 +1,7 @@
 // App: the window's contents: the picture on the left, panels on the right, and what the keys do.
 #pragma once
 
+#include "film/image.h"
 #include "preview/app_options.h"
 #include "preview/camera_pose.h"
 #include "preview/engine.h"
@@ -12,6 +13,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,6 +62,7 @@ class App {
   void apply();  // sends the request to the engine
   void choosePart(int part);
   void chooseScene(const std::string& name);
+  void askForWindowShot();
   void saveWindow(const std::filesystem::path& file);
   void savePicture(const std::filesystem::path& file);
   void saveBoth();
@@ -67,6 +70,7 @@ class App {
   void beginAnew();
   void useFileCamera();
   void say(std::string text);
+  void cannotWrite(const ImageError& error);
   bool scriptDone();
   std::string title() const;
   double exposure() const;
@@ -97,7 +101,7 @@ class App {
   std::unique_ptr<Engine> engine_;  // last: it wakes the window
 };
 
-// "STEM_001.png": the first of these that is not there yet.
-std::filesystem::path unusedFile(const std::string& stem, const char* ending);
+// "STEM_001", with the first number of which there is no file with any of these endings yet.
+std::string unusedStem(const std::string& stem, std::initializer_list<const char*> endings);
 
 }  // namespace pathmark::preview

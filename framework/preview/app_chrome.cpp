@@ -223,9 +223,10 @@ void App::drawView() {
   ImGui::SameLine();
   ImGui::TextDisabled("exposure");
   panels_->drawDisplay();
-  auto seed = static_cast<int>(request_.seed);
-  if (ImGui::InputInt("seed", &seed)) {
-    request_.seed = static_cast<std::uint64_t>(std::max(seed, 0));
+  auto seed = static_cast<std::int64_t>(request_.seed);
+  constexpr std::int64_t kStep = 1, kFastStep = 100;
+  if (ImGui::InputScalar("seed", ImGuiDataType_S64, &seed, &kStep, &kFastStep)) {
+    request_.seed = static_cast<std::uint64_t>(std::max(seed, std::int64_t{0}));
     apply();
   }
   ImGui::Separator();

@@ -26,9 +26,28 @@ void App::key(const KeyPress& press) {
     default:
       break;
   }
+  // With Shift they are other characters, such as + on some keyboards.
+  const bool digit = press.key >= GLFW_KEY_0 && press.key <= GLFW_KEY_9;
+  if (digit && press.shift) return;
   if (press.key >= GLFW_KEY_1 && press.key < GLFW_KEY_1 + kTabs) {
     openTab_ = static_cast<Tab>(press.key - GLFW_KEY_1);
     return;
+  }
+  switch (press.letter) {
+    case 'F':
+      area_.fit();
+      return;
+    case 'Q':
+      if (press.control) window_.close();
+      return;
+    case 'R':
+      beginAnew();
+      return;
+    case 'C':
+      useFileCamera();
+      return;
+    default:
+      break;
   }
   switch (press.key) {
     case GLFW_KEY_F1:
@@ -40,26 +59,14 @@ void App::key(const KeyPress& press) {
     case GLFW_KEY_0:
       stops_ = 0.0;
       break;
-    case GLFW_KEY_F:
-      area_.fit();
-      break;
-    case GLFW_KEY_Q:
-      if (press.control) window_.close();
-      break;
     case GLFW_KEY_F12:
       if (press.shift)
         saveBoth();
       else
-        windowShot_ = unusedFile("pathmark_window", ".png");
+        askForWindowShot();
       break;
     case GLFW_KEY_SPACE:
       togglePause();
-      break;
-    case GLFW_KEY_R:
-      beginAnew();
-      break;
-    case GLFW_KEY_C:
-      useFileCamera();
       break;
     default:
       break;

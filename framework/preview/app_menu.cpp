@@ -71,9 +71,8 @@ void App::drawPictureMenu() {
   if (ImGui::MenuItem("Camera of the scene file", "C", false, pose_ && pose_->moved()))
     useFileCamera();
   ImGui::Separator();
-  if (ImGui::MenuItem("Save the window", "F12"))
-    windowShot_ = unusedFile("pathmark_window", ".png");
-  if (ImGui::MenuItem("Save the picture", "Shift+F12") && state_->picture) saveBoth();
+  if (ImGui::MenuItem("Save the window", "F12")) askForWindowShot();
+  if (ImGui::MenuItem("Save the picture", "Shift+F12")) saveBoth();
   ImGui::Separator();
   if (ImGui::MenuItem("Close", "Ctrl+Q")) window_.close();
 }

@@ -59,11 +59,20 @@ preview::Tab findTab(const std::string& name) {
       fmt::format("--tab {}: it is one of {}.", name, fmt::join(preview::kTabNames, ", ")));
 }
 
-std::pair<int, int> windowSize(const std::string& text, const preview::Remembered& last) {
-  constexpr int kWidth = 1280, kHeight = 800;
-  if (text.empty()) return {last.width.value_or(kWidth), last.height.value_or(kHeight)};
-  const auto [width, height] = twoNumbers("--size", text, 'x', "1280x800");
-  return {std::clamp(width, 320, 16384), std::clamp(height, 240, 16384)};
+// What is remembered is as large as the window was on the screen, its scale included.
+preview::WindowOptions windowOptions(const PreviewArguments& arguments,
+                                     const preview::Remembered& last) {
+  preview::WindowOptions options{.title = "Pathmark", .scale = arguments.scale};
+  if (!arguments.size.empty()) {
+    const auto [width, height] = twoNumbers("--size", arguments.size, 'x', "1280x800");
+    options.width = std::clamp(width, 320, 16384);
+    options.height = std::clamp(height, 240, 16384);
+  } else if (last.width && last.height) {
+    options.width = *last.width;
+    options.height = *last.height;
+    options.enlarged = false;
+  }
+  return options;
 }
 
 std::filesystem::path sceneFile(const std::string& scene, const preview::Remembered& last) {
@@ -101,9 +110,7 @@ int openPreview(PreviewArguments& arguments) {
       scripted ? std::filesystem::path() : preview::rememberedFile();
   const preview::Remembered last = preview::readRemembered(memory);
   readArguments(arguments, last);
-  const auto [width, height] = windowSize(arguments.size, last);
-  preview::Window window(
-      {.width = width, .height = height, .title = "Pathmark", .scale = arguments.scale});
+  preview::Window window(windowOptions(arguments, last));
   preview::App app(window, arguments.app);
   const int code = app.run();
   preview::writeRemembered(memory, app.remembered());
@@ -152,20 +159,20 @@ void addPreviewCommand(CLI::App& app, CommandAction& action) {
       ->add_option("--size", arguments->size,
                    "Of the window (default: as it was last time, or 1280x800)")
       ->type_name("WxH");
-  command
-      ->add_option("--scale", arguments->scale,
-                   "Of letters and buttons, such as 2 on a high-density screen (default: the "
-                   "screen's own)")
-      ->type_name("X")
-      ->check(CLI::Range(0.5, 8.0));
+  takesNumber(command->add_option("--scale", arguments->scale,
+                                  "Of letters and buttons, such as 2 on a high-density screen "
+                                  "(default: the screen's own)"),
+              0.5, 8.0, "X");
   command
       ->add_option("--tab", arguments->tab,
                    "The panel to begin with: progress, samples, paths, compare or view")
       ->type_name("NAME");
   command->add_option("--pick", arguments->pick, "A pixel whose paths to show: COLUMN,ROW")
       ->type_name("X,Y");
-  command->add_option("--exposure", arguments->app.exposureStops, "In stops, such as -1")
-      ->type_name("STOPS");
+  constexpr double kMostStops = 100.0;
+  takesNumber(
+      command->add_option("--exposure", arguments->app.exposureStops, "In stops, such as -1"),
+      -kMostStops, kMostStops, "STOPS");
   takesWholeNumber(
       command->add_option("--after-rays", arguments->rays, "Stop at so many rays per pixel"), 1,
       kMostRaysPerPixel);

@@ -3,6 +3,7 @@
 #include "host/coursework_stamp.h"
 #include "host/session.h"
 #include "preview/renderer.h"
+#include "preview/scene_watch.h"
 
 #include <fmt/format.h>
 
@@ -16,12 +17,6 @@ namespace {
 
 // How often files are looked at: far below what somebody notices, and nothing to the processor.
 constexpr auto kWatchPeriod = std::chrono::milliseconds(60);
-
-std::string stampOfFile(const fs::path& file) {
-  std::error_code error;
-  const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-  return fmt::format("{} {} {}", file.string(), error ? 0 : time, fs::file_size(file, error));
-}
 
 }  // namespace
 
@@ -71,6 +66,7 @@ void Engine::change(const std::function<void(EngineState&)>& how) {
 
 void Engine::watch(const std::stop_token& stop) {
   std::string coursework, scene;
+  SceneWatch scenes;
   std::mutex sleeping;
   while (!stop.stop_requested()) {
     const EngineRequest wanted = this->wanted();
@@ -79,7 +75,7 @@ void Engine::watch(const std::stop_token& stop) {
       coursework = now;
       build(folder);
     }
-    if (const std::string now = stampOfFile(wanted.scene); now != scene) {
+    if (const std::string now = scenes.stampOf(wanted.scene); now != scene) {
       scene = now;
       const std::lock_guard lock(mutex_);
       ++sceneStamp_;

@@ -86,7 +86,7 @@ class Engine {
   std::condition_variable_any changed_;
   EngineRequest request_;
   std::uint64_t requests_ = 0;    // counts changes that the renderer must look at
-  std::uint64_t sceneStamp_ = 0;  // counts changes of the scene's file
+  std::uint64_t sceneStamp_ = 0;  // counts changes of the scene's files
   std::shared_ptr<const EngineState> state_;
   std::jthread watcher_, renderer_;  // last: they use what is above
 };

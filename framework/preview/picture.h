@@ -43,7 +43,7 @@ struct Picture {
   double raysPerPixel = 0.0;  // mean over the pixels
   double seconds = 0.0;       // of rendering
   std::uint64_t raysTraced = 0;
-  double raysPerSecond = 0.0;  // traced, lately
+  double raysPerSecond = 0.0;  // traced, on average over the time of rendering
 
   std::uint64_t series = 0;   // the same as long as rays are added to the same picture
   std::uint64_t version = 0;  // different for every picture

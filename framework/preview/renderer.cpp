@@ -1,12 +1,15 @@
 #include "preview/renderer.h"
 
 #include "host/session.h"
+#include "preview/same_camera.h"
+#include "scene/limits.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <utility>
 
 namespace pathmark::preview {
@@ -23,10 +26,17 @@ constexpr int kCoarsest = 8;
 
 constexpr std::size_t kMostPrinted = 4000;
 
-bool sameCamera(const std::optional<FlatCamera>& a, const std::optional<FlatCamera>& b) {
-  if (!a || !b) return !a && !b;
-  return a->eye == b->eye && a->topLeft == b->topLeft && a->pixelRight == b->pixelRight &&
-         a->pixelDown == b->pixelDown && a->width == b->width && a->height == b->height;
+bool sameMovedCamera(const std::optional<FlatCamera>& a, const std::optional<FlatCamera>& b) {
+  return a && b ? sameCamera(*a, *b) : !a && !b;
+}
+
+// A film pixel takes 32 bytes.
+void refuseLargePictures(const LoadedScene& scene) {
+  const FlatCamera& camera = scene.flat.camera;
+  if (std::uint64_t{camera.width} * camera.height > kMostPixels)
+    throw SceneError(
+        fmt::format("The scene {}: its size of {}x{} has more than {} pixels, which is the most.",
+                    scene.name, camera.width, camera.height, kMostPixels));
 }
 
 std::string textOf(const std::optional<PathExpression>& paths) {
@@ -36,7 +46,7 @@ std::string textOf(const std::optional<PathExpression>& paths) {
 bool samePicture(const EngineRequest& a, const EngineRequest& b) {
   return a.made.estimator == b.made.estimator && a.sampler == b.sampler && a.seed == b.seed &&
          textOf(a.paths) == textOf(b.paths) && a.threads == b.threads && a.restarts == b.restarts &&
-         sameCamera(a.camera, b.camera);
+         sameMovedCamera(a.camera, b.camera);
 }
 
 // The same view in fewer pixels, each `by` wide and high.
@@ -79,7 +89,7 @@ void Engine::Renderer::run(const std::stop_token& stop) {
       }
     } catch (const WorkerError& e) {
       fail(e.what());
-    } catch (const std::system_error& e) {
+    } catch (const std::exception& e) {
       fail(fmt::format("This machine could not run the coursework: {}.", e.what()));
     }
     waitForChange();
@@ -148,6 +158,7 @@ bool Engine::Renderer::loadScene() {
   try {
     auto scene = std::make_shared<PreviewScene>();
     scene->loaded = pathmark::loadScene(subject_.request.scene);
+    refuseLargePictures(scene->loaded);
     scene->hash = sceneHash(scene->loaded);
     scene->loaded.flat.lightSampling = subject_.request.made.lightSampling;
     scene_ = std::move(scene);

@@ -1,5 +1,7 @@
 #include "preview/window.h"
 
+#include "preview/key_letter.h"
+
 // Before GLFW, which would include the system's own header.
 #include <epoxy/gl.h>
 
@@ -49,15 +51,18 @@ std::string noDisplay() {
       where, lastError());
 }
 
-void onKey(GLFWwindow* window, int key, int, int action, int modifiers) {
+void onKey(GLFWwindow* window, int key, int code, int action, int modifiers) {
   if (action != GLFW_PRESS) return;
   static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window))
-      ->push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0, 0});
+      ->push_back({.key = key,
+                   .letter = keyLetter(key, glfwGetKeyName(key, code)),
+                   .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                   .control = (modifiers & GLFW_MOD_CONTROL) != 0});
 }
 
 void onCharacter(GLFWwindow* window, unsigned character) {
   static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window))
-      ->push_back({0, false, false, character});
+      ->push_back({.character = character});
 }
 
 // The first that is added is that of everything; what stands in for a missing file has letters of
@@ -97,7 +102,7 @@ Window::Window(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, options.enlarged ? GLFW_TRUE : GLFW_FALSE);
   window_ =
       glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {

@@ -27,6 +27,7 @@ class DisplayError : public std::runtime_error {
 
 struct WindowOptions {
   int width = 1280, height = 800;  // in the screen's coordinates
+  bool enlarged = true;            // by the screen's own scale
   std::string title;
   double scale = 0.0;  // of the interface; 0: the screen's own
 };
@@ -34,6 +35,7 @@ struct WindowOptions {
 // A key that was pressed since the last frame, by GLFW's names. Characters have no key.
 struct KeyPress {
   int key = 0;
+  char letter = 0;  // of the key, if it has one: see key_letter.h
   bool shift = false, control = false;
   char32_t character = 0;
 };

@@ -3,13 +3,11 @@
 #include "bench/alternate.h"
 #include "bench/interrupted_run.h"
 #include "bench/stress/stress.h"
+#include "bench/worker_clock.h"
 #include "host/shared_memory.h"
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
-
-#include <ctime>
 
 namespace pathmark::bench {
 
@@ -52,16 +50,6 @@ class Side {
     options.limits.secondsWithoutAnswer = 120.0;
     options.onText = [](std::string_view) {};
     return options;
-  }
-
-  static double cpuSecondsOf(pid_t process) {
-    clockid_t clock{};
-    timespec t{};
-    if (const int error = clock_getcpuclockid(process, &clock);
-        error != 0 || clock_gettime(clock, &t) != 0)
-      throw std::system_error(error != 0 ? error : errno, std::generic_category(),
-                              "asking for a worker's CPU time");
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
   }
 
   WorkerProcess worker_;

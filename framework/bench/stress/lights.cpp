@@ -7,6 +7,7 @@
 #include "bench/stress/irradiance_oracle.h"
 #include "bench/stress/stress.h"
 #include "bench/stress/words.h"
+#include "bench/stress/worse.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,9 @@ Real irradianceBy(const std::vector<LightSample>& samples, const Vector3& x, con
     const Real d = lengthOf(toLight);
     const Vector3 normal = inward ? -Vector3(y.n) : Vector3(y.n);
     const Real cosX = glm::dot(unit(n), toLight) / d, cosY = -glm::dot(normal, toLight) / d;
-    if (cosX > 0 && cosY > 0) sum += cosX * cosY / (d * d * Real{y.pdf});
+    // A sample with values that are none is no dark one.
+    if (cosX <= 0 || cosY <= 0) continue;
+    sum += cosX * cosY / (d * d * Real{y.pdf});
   }
   return sum / static_cast<Real>(samples.size());
 }
@@ -86,8 +89,8 @@ double twinError(StressWorker& worker, const SphereCase& c,
     if (y.pdf == 0.0f) continue;
     const Vector3 w = Vector3(c.from) - Vector3(c.centre) - Real{c.radius} * Vector3(y.n);
     const Real cosine = std::abs(glm::dot(Vector3(y.n), w)) / lengthOf(w);
-    worst = std::max(worst, static_cast<double>(std::abs(pdf / Real{y.pdf} - 1) *
-                                                std::min<Real>(cosine * cosine, 1)));
+    worst = worse(worst, static_cast<double>(std::abs(pdf / Real{y.pdf} - 1) *
+                                             std::min<Real>(cosine * cosine, 1)));
   }
   return worst;
 }
@@ -103,7 +106,7 @@ double coneError(const SphereCase& c, const std::vector<LightSample>& samples) {
   for (const LightSample& y : samples) {
     const Vector3 n(y.n), w = axis - r * n;
     const Real cosine = glm::dot(n, w) / lengthOf(w);
-    if (!(cosine > 0) || y.pdf == 0.0f) continue;
+    if (cosine <= 0 || y.pdf == 0.0f) continue;
     const Real sin2 = sinMax * sinMax * (1 - cosine) * (1 + cosine);
     const Real share = sin2 / (1 + std::sqrt(std::max<Real>(1 - sin2, 0))) / whole;
     const Real weight = cosine / (glm::dot(w, w) * Real{y.pdf});
@@ -111,8 +114,8 @@ double coneError(const SphereCase& c, const std::vector<LightSample>& samples) {
     first += weight * share;
     second += weight * share * share;
   }
-  return std::max(relativeError(first / weights, Real{1} / 2),
-                  relativeError(second / weights, Real{1} / 3));
+  return worse(relativeError(first / weights, Real{1} / 2),
+               relativeError(second / weights, Real{1} / 3));
 }
 
 void stressSpheres(Stress& stress, StressWorker& worker) {
@@ -133,11 +136,12 @@ void stressSpheres(Stress& stress, StressWorker& worker) {
       const SphereCase c{vec3(0.0f), 0.5f, distance * direction};
       const auto samples = samplesOf(worker, c, side);
       const Vector3 n = Vector3(c.centre) - Vector3(c.from);
-      worst[0] = std::max(worst[0], relativeError(irradianceBy(samples, Vector3(c.from), n),
-                                                  oracle::ofSphere(Vector3(c.centre), c.radius,
-                                                                   Vector3(c.from), n)));
-      worst[1] = std::max(worst[1], coneError(c, samples));
-      worst[2] = std::max(worst[2], twinError(worker, c, samples));
+      worst[0] =
+          worse(worst[0],
+                relativeError(irradianceBy(samples, Vector3(c.from), n),
+                              oracle::ofSphere(Vector3(c.centre), c.radius, Vector3(c.from), n)));
+      worst[1] = worse(worst[1], coneError(c, samples));
+      worst[2] = worse(worst[2], twinError(worker, c, samples));
     }
     const double gap = 1.0 / std::sin(0.5 * angle) - 1.0;
     stress.row({fmt::format("{:g}", angle), fmt::format("{:.1e}", gap),
@@ -147,12 +151,12 @@ void stressSpheres(Stress& stress, StressWorker& worker) {
     // that share of the gap.
     constexpr double kNear = 1e-3;
     if (gap < kNear) {
-      close = std::max(close, std::max(worst[0], worst[1]) * gap / 0x1p-24);
+      close = worse(close, worse(worst[0], worst[1]) * gap / 0x1p-24);
     } else {
-      irradiance = std::max(irradiance, worst[0]);
-      cone = std::max(cone, worst[1]);
+      irradiance = worse(irradiance, worst[0]);
+      cone = worse(cone, worst[1]);
     }
-    twin = std::max(twin, worst[2]);
+    twin = worse(twin, worst[2]);
   }
   stress.addError("sphereIrradiance", "spheres under 1e-6 to 3 rad: irradiance", irradiance, 1e-3,
                   1e-4);
@@ -173,9 +177,9 @@ void stressEnclosing(Stress& stress, StressWorker& worker) {
     for (const float radius : {1e-6f, 1.0f, 1e6f}) {
       const SphereCase c{vec3(0.0f), radius, radius * offset * normalize(vec3(2, -1, 1))};
       enclosing =
-          std::max(enclosing, relativeError(irradianceBy(samplesOf(worker, c, side),
-                                                         Vector3(c.from), Vector3(1, 2, -1), true),
-                                            kPiReal));
+          worse(enclosing, relativeError(irradianceBy(samplesOf(worker, c, side), Vector3(c.from),
+                                                      Vector3(1, 2, -1), true),
+                                         kPiReal));
     }
   // On the surface rounding decides on which side the receiver is: that samples are such is all
   // that can be asked.
@@ -251,13 +255,13 @@ void stressPolygons(Stress& stress, StressWorker& worker) {
     const double e = relativeError(irradianceBy(samples, Vector3(c.x), n),
                                    oracle::ofPolygon(exact, Vector3(c.x), n));
     double d = 0.0;
-    for (const LightSample& y : samples) d = std::max(d, relativeError(Real{y.pdf} * area, 1));
+    for (const LightSample& y : samples) d = worse(d, relativeError(Real{y.pdf} * area, 1));
     const double m = centreError(c, samples);
     stress.row(
         {name, fmt::format("{:.1e}", e), fmt::format("{:.1e}", d), fmt::format("{:.1e}", m)});
-    irradiance = std::max(irradiance, e);
-    density = std::max(density, d);
-    centre = std::max(centre, m);
+    irradiance = worse(irradiance, e);
+    density = worse(density, d);
+    centre = worse(centre, m);
   };
   using F = CourseworkFunction;
   for (const float aspect : {1.0f, 1e2f, 1e4f})
@@ -374,7 +378,7 @@ void stressDirectLight(Stress& stress, StressWorker& worker) {
     stress.progress.show(name);
     const Measured m = directLight(worker, litFloor(shape), rays);
     stress.row({name, fmt::format("{:.1e}", m.relative), fmt::format("{:.1f}", m.standardErrors)});
-    if (m.relative > kRounding) worst = std::max(worst, m.standardErrors);
+    if (!(m.relative <= kRounding)) worst = worse(worst, m.standardErrors);
   }
   stress.addError("directLight", "direct light in scenes: standard errors off, beyond 0.01 %",
                   worst, kMost, kMost);

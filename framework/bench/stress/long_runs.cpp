@@ -2,6 +2,7 @@
 // falling as one over the square root of their number. A sum that stops growing, numbers that
 // begin again or a film place that rounding moves would show.
 #include "bench/stress/stress.h"
+#include "bench/stress/worse.h"
 
 #include <fmt/format.h>
 
@@ -79,7 +80,7 @@ void stressLongRuns(Stress& stress) {
       const double error = rmsError(worker.render(settingsFor(scene, options)).image);
       stress.progress.advance(60.0 / 3.0 * rays / all);
       last[k] = error / expected;
-      worst = std::max(worst, last[k]);
+      worst = worse(worst, last[k]);
       cells.emplace_back(last[k]);
     }
     stress.row(std::move(cells));

@@ -3,6 +3,7 @@
 #include "bench/stress/irradiance_oracle.h"
 #include "bench/stress/stress.h"
 #include "bench/stress/words.h"
+#include "bench/stress/worse.h"
 
 #include <fmt/format.h>
 
@@ -121,13 +122,13 @@ void stressAlbedos(Stress& stress, StressWorker& worker) {
         if (expected == 0.0)
           light += albedo.value;
         else
-          errors[k] = std::max(errors[k], std::abs(albedo.value / expected - 1.0));
+          errors[k] = worse(errors[k], std::abs(albedo.value / expected - 1.0));
       }
     }
     stress.row({fmt::format("{:g}", exponent), fmt::format("{:.1e}", errors[0]),
                 fmt::format("{:.1e}", errors[1]), fmt::format("{:.1e}", errors[2]),
                 fmt::format("{:g}", light)});
-    worst = std::max({worst, errors[0], errors[1], errors[2]});
+    for (const double error : {errors[0], errors[1], errors[2]}) worst = worse(worst, error);
   }
   stress.addError("albedo", "modified Phong, exponents 0 to 1e6: share of light reflected", worst,
                   stress.quick ? 3e-2 : 1e-2, 1e-3);
@@ -192,8 +193,9 @@ void stressFurnaces(Stress& stress, StressWorker& worker) {
       const double error =
           std::sqrt(std::max(squares / pixels - mean * mean, 0.0) / (pixels - 1.0));
       const double off = std::abs(mean - 1.0), z = off / std::max(error, 1e-30);
-      stress.row({name, static_cast<double>(bounces), mean, error, off > kRounding ? z : 0.0});
-      if (off > kRounding) worst = std::max(worst, z);
+      const bool rounded = off <= kRounding;
+      stress.row({name, static_cast<double>(bounces), mean, error, rounded ? 0.0 : z});
+      if (!rounded) worst = worse(worst, z);
     }
   }
   stress.addError("furnace", "furnaces: standard errors off, beyond 1e-5", worst, kMost, kMost);

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <system_error>
+#include <exception>
 #include <utility>
 
 namespace pathmark::preview {
@@ -150,7 +150,7 @@ std::optional<SampleAnswer> SampleEngine::answerTo(const Request& request, Sessi
   } catch (const WorkerError& e) {
     session.worker.reset();
     answer.sentence = e.what();
-  } catch (const std::system_error& e) {
+  } catch (const std::exception& e) {
     session = Session{};
     answer.sentence = fmt::format("The samples cannot be drawn: {}.", e.what());
   }

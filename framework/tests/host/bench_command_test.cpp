@@ -53,6 +53,28 @@ TEST_F(BenchCommand, SaysOnWhatItWasMeasured) {
   EXPECT_NE(output_.find(machine), std::string::npos) << output_;
 }
 
+// Densities that are no numbers, where the rest is as it is in every TestCoursework.
+TEST_F(BenchCommand, StressTakesWhatIsNoNumberForTheWorstError) {
+  TestCoursework coursework;
+  coursework.setFile("part2_lights.cpp", R"(
+LightSample Polygon::TriangularSampling(float, float) const { return {p(0), normal(), NAN}; }
+LightSample Polygon::RectangularSampling(float, float) const { return {p(0), normal(), NAN}; }
+LightSample Polygon::PolygonSampling(float, float) const { return {p(0), normal(), NAN}; }
+LightSample Sphere::sample(const Point&, float, float) const {
+  return {centre() + Vector(radius(), 0, 0), Vector(1, 0, 0), 1.0f};
+}
+float Sphere::pdf(const Point&, const Point&, const Vector&) const { return NAN; }
+Colour LitScene::directLighting(const Hit&, const Vector&, Sampler&) const { return Colour(0); })");
+  const ProcessResult result = bench({"stress", "--quick", "--only", "lights", "--with",
+                                      coursework.folder().string(), "--json", "stress.json"});
+  EXPECT_EQ(result.exitCode, 1) << result.output;
+  std::ifstream file(folder_ / "stress.json");
+  const json report = json::parse(file, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.output;
+  for (const char* key : {"polygonDensity", "polygonIrradiance", "spherePdf"})
+    EXPECT_EQ(report.at("figures").at(key).value("verdict", ""), "not met") << key;
+}
+
 TEST_F(BenchCommand, WrongCommandLinesAreSentencesAndWriteNothing) {
   expectRefuses({}, "cost, lights, preview, skip, stress or targets");
   expectRefuses({"paint"}, "paint was not expected");

@@ -5,6 +5,7 @@
 #include "bench/image_error.h"
 #include "bench/ray_scenes.h"
 #include "bench/report.h"
+#include "bench/stress/worse.h"
 #include "support/test_coursework_files.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +39,19 @@ TEST(BenchStatistics, ErrorsAreThoseOfMeans) {
   const Mean inverse = inverseOfProduct({2.0, 0.2}, {5.0, 0.0});
   EXPECT_DOUBLE_EQ(inverse.value, 0.1);
   EXPECT_DOUBLE_EQ(inverse.error, 0.01);
+  const Mean ratio = ratioOf({6.0, 0.3 * 6.0}, {2.0, 0.4 * 2.0});
+  EXPECT_DOUBLE_EQ(ratio.value, 3.0);
+  EXPECT_DOUBLE_EQ(ratio.error, 1.5) << "both count";
+}
+
+TEST(BenchStatistics, AnErrorThatIsNoNumberIsTheWorstOfAll) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(worse(1.0, 2.0), 2.0);
+  EXPECT_EQ(worse(2.0, 1.0), 2.0);
+  EXPECT_EQ(worse(1.0, none), infinite);
+  EXPECT_EQ(worse(none, 1.0), infinite);
+  EXPECT_EQ(worse(infinite, 1.0), infinite);
 }
 
 TEST(BenchStatistics, TheMedianOfAnEvenNumberLiesBetween) {
@@ -152,6 +166,15 @@ TEST(CyclesScene, HasTheGeometryTheLightAndTheCamera) {
   };
   EXPECT_NEAR(glm::dot(glm::cross(vector("right"), vector("up")), vector("back")), 1.0, 1e-6);
   EXPECT_NEAR(camera.at("fieldOfView").get<double>(), 39.3 * std::acos(-1.0) / 180.0, 1e-6);
+}
+
+TEST(CyclesScene, RefusesPathsWithoutAScatteringEventWhichCyclesDoesNotHave) {
+  TemporaryFolder folder;
+  BenchScene scene = benchScene("cornell_box");
+  scene.scene.flat.maxBounces = 0;
+  EXPECT_THROW(writeCyclesScene(scene, {16, 3, folder / "out.exr"}, folder.path()), UsageError);
+  scene.scene.flat.maxBounces = 1;
+  EXPECT_NO_THROW(writeCyclesScene(scene, {16, 3, folder / "out.exr"}, folder.path()));
 }
 
 TEST(CyclesScene, RefusesMaterialsThatCyclesDoesNotHave) {

@@ -66,6 +66,23 @@ TEST(ErrorRuns, ARunOfAnotherProgramIsNoneToGoOnFrom) {
   EXPECT_EQ(runs.all().front().point.estimator, "b");
 }
 
+TEST(ErrorRuns, OfOneMeasureAreThoseOfItsSceneAndReferenceAlone) {
+  ErrorRuns runs;
+  for (const auto& [estimator, made] : {std::pair{"a", madeBy("large", "program 1")},
+                                        {"b", madeBy("large", "program 2")},
+                                        {"c", madeBy("small", "program 1")},
+                                        {"d", std::string("older")}}) {
+    ErrorRun one = run(estimator, 4, 0, 0.1);
+    one.made = made;
+    runs.add(std::move(one));
+  }
+  const std::vector<ErrorRun> large = runs.of("large"), small = runs.of("small");
+  ASSERT_EQ(large.size(), 2u);
+  EXPECT_EQ(large[1].point.estimator, "b");
+  ASSERT_EQ(small.size(), 1u);
+  EXPECT_EQ(small[0].point.estimator, "c");
+}
+
 // Errors that fall as 1 / rays, with times in proportion to rays.
 TEST(ErrorSummary, OfRunsThatFallAsTheyShould) {
   std::vector<ErrorRun> runs;

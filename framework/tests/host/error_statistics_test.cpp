@@ -38,6 +38,16 @@ TEST(ErrorStatistics, TheIntervalOfAMeanHoldsItInNineteenOfTwentyExperiments) {
   EXPECT_NEAR(static_cast<double>(held) / kExperiments, 0.95, kOff);
 }
 
+TEST(ErrorStatistics, TheErrorOfAMeanIsItsStandardError) {
+  const std::vector<double> values{1.0, 2.0, 3.0};
+  const auto mean = [&](auto chosen) { return meanOver(values, chosen); };
+  const Interval found = jackknife(values.size(), mean);
+  EXPECT_NEAR(found.error, 1.0 / std::sqrt(3.0), 1e-12);
+  // Student's t with 2 degrees of freedom.
+  EXPECT_NEAR(found.high - found.value, 4.302653 * found.error, 1e-6);
+  EXPECT_TRUE(std::isnan(jackknife(1, mean).error)) << "of one";
+}
+
 // Errors are never negative and skewed: the interval of their logarithm may hold a little less.
 TEST(ErrorStatistics, TheIntervalOfAnErrorHoldsItAlmostAsOften) {
   std::mt19937_64 random(2);

@@ -114,6 +114,85 @@ TEST_F(FrontDoorBuild, SaysNothingOfMinutesWhereLittleHasChanged) {
   EXPECT_EQ(result.output.find("minutes"), std::string::npos) << result.output;
 }
 
+TEST_F(FrontDoorBuild, AFolderThatWasBuiltElsewhereIsMadeAnew) {
+  setSteps(3);
+  write("cmake",
+        "mkdir -p build/$2; touch build/$2/build.ninja\n"
+        "echo \"CMAKE_HOME_DIRECTORY:INTERNAL=$PWD\" >build/$2/CMakeCache.txt");
+  const std::string words = "was made for";
+  expectSays(status(), 0, "the program");
+  EXPECT_EQ(status().output.find(words), std::string::npos) << "it is the same place";
+  TemporaryFolder old;
+  const std::filesystem::path build = folder_ / "build/release";
+  std::ofstream(build / "CMakeCache.txt")
+      << "CMAKE_HOME_DIRECTORY:INTERNAL=" << old.path().string() << "\n";
+  std::ofstream(build / "bin/pathmark") << "#!/bin/sh\necho the old place\n";
+  const ProcessResult result = status();
+  expectSays(result, 0, words + " " + old.path().string());
+  expectSays(result, 0, "the program");
+  EXPECT_EQ(result.output.find("the old place"), std::string::npos) << result.output;
+}
+
+TEST_F(FrontDoorBuild, APackageOfSeveralArchitecturesIsInstalled) {
+  setSteps(3);
+  // As dpkg-query does with a format of words and line ends.
+  write("dpkg-query",
+        "format=$(printf '%s' \"$3\" | sed 's/${db:Status-Status}/installed/')\n"
+        "printf \"$format$format\"");
+  const ProcessResult result = status();
+  expectSays(result, 0, "the program");
+  EXPECT_EQ(result.output.find("missing"), std::string::npos) << result.output;
+}
+
+TEST_F(FrontDoorBuild, NoAnswerInstallsNothing) {
+  setSteps(3);
+  write("dpkg-query", "exit 1");
+  for (const char* tool : {"apt-get", "sudo"}) write(tool, "echo would install");
+  // `script` gives a terminal, and ends its input where its own ends.
+  const ProcessResult result =
+      run({"/bin/sh", "-c",
+           "PATH=" + (folder_ / "tools").string() +
+               ":/usr/bin:/bin script -qec './pathmark status' /dev/null </dev/null"},
+          folder_.path());
+  expectSays(result, 3, "Nothing was installed");
+  EXPECT_EQ(result.output.find("would install"), std::string::npos) << result.output;
+}
+
+TEST_F(FrontDoorBuild, WithoutAptThePackagesAreANoteAndCMakeDecides) {
+  setSteps(3);
+  for (const char* tool : {"apt-get", "dpkg-query"})
+    std::filesystem::remove(folder_ / "tools" / tool);
+  // The system's own may be there: of /usr/bin only what the script needs.
+  for (const char* tool : {"bash", "env", "cat", "dirname", "readlink", "mkdir", "touch", "sed",
+                           "grep", "rm", "seq", "chmod", "sh"})
+    std::filesystem::create_symlink(std::filesystem::path("/usr/bin") / tool,
+                                    folder_ / "tools" / tool);
+  const auto statusWithoutApt = [&] {
+    return run({"/usr/bin/env", "PATH=" + (folder_ / "tools").string(),
+                (folder_ / "pathmark").string(), "status"},
+               folder_.path());
+  };
+  const ProcessResult there = statusWithoutApt();
+  expectSays(there, 0, "equivalents of these Debian packages");
+  expectSays(there, 0, "the program");
+  std::filesystem::remove_all(folder_ / "build");
+  write("cmake", "echo no glm; exit 1");
+  for (int k = 0; k < 2; ++k) {
+    const ProcessResult missing = statusWithoutApt();
+    expectSays(missing, 3, "no glm");
+    expectSays(missing, 3, "equivalents of these Debian packages");
+  }
+}
+
+TEST_F(FrontDoorBuild, APresetIsTakenInBothForms) {
+  setSteps(3);
+  write("ctest", "echo \"ctest $*\"");
+  expectSays(door({"test", "--preset=fast"}), 2, "takes release, asan or tsan");
+  expectSays(door({"test", "--preset", "asan", "-R", "Sphere"}), 0,
+             "ctest --preset asan -R Sphere");
+  expectSays(door({"test", "--preset=asan", "-R", "Sphere"}), 0, "ctest --preset asan -R Sphere");
+}
+
 TEST_F(FrontDoorBuild, LintFailsIfAToolOfClangsFindsSomething) {
   setSteps(3);
   std::filesystem::create_directory(folder_ / "solutions");
@@ -125,6 +204,8 @@ TEST_F(FrontDoorBuild, LintFailsIfAToolOfClangsFindsSomething) {
   expectSays(door({"lint", "crooked.h"}), 1, "crooked");
   expectSays(door({"lint", "gone.cpp"}), 2, "There is no file gone.cpp");
   expectSays(door({"lint", "--since", "gone"}), 2, "there is none that is called 'gone'");
+  write("git", "");
+  expectSays(door({"lint", "--since", "HEAD", "good.cpp"}), 2, "not both: found good.cpp");
   std::filesystem::remove(folder_ / "solutions");
   expectSays(door({"lint", "good.cpp"}), 2, "There is no command lint");
 }

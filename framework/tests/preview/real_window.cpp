@@ -18,7 +18,12 @@ namespace fs = std::filesystem;
 namespace {
 
 std::vector<std::string> previewCommand(const std::string& display, const fs::path& folder,
-                                        const std::vector<std::string>& arguments) {
+                                        const std::vector<std::string>& arguments,
+                                        const std::string& remembered) {
+  if (!remembered.empty()) {
+    fs::create_directory(folder / "pathmark");
+    std::ofstream(folder / "pathmark/preview.json") << remembered;
+  }
   std::vector<std::string> command{"env",
                                    "DISPLAY=" + display,
                                    "LIBGL_ALWAYS_SOFTWARE=1",
@@ -36,11 +41,12 @@ std::string withoutNewline(std::string text) {
 
 }  // namespace
 
-VirtualDisplay::VirtualDisplay(int width, int height)
+VirtualDisplay::VirtualDisplay(int width, int height, int dotsPerInch)
     // Without -noreset the server begins anew when its last client has gone, here a tool that
     // looked for the window, and turns away the window that comes at that moment.
     : server_({"Xvfb", "-noreset", "-displayfd", "1", "-screen", "0",
-               fmt::format("{}x{}x24", width, height), "-nolisten", "tcp"},
+               fmt::format("{}x{}x24", width, height), "-dpi", std::to_string(dotsPerInch),
+               "-nolisten", "tcp"},
               folder_.path(), folder_ / "log") {
   const auto number = [&] {
     const std::string text = textOf(folder_ / "log");
@@ -58,9 +64,17 @@ VirtualDisplay::VirtualDisplay(int width, int height)
   name_ = fmt::format(":{}", number());
 }
 
-RealWindow::RealWindow(const VirtualDisplay& display, std::vector<std::string> arguments)
+void VirtualDisplay::setKeyboard(const std::string& layout) {
+  ProcessRequest request;
+  request.arguments = {"setxkbmap", "-display", name_, layout};
+  const ProcessResult result = runProcess(request);
+  EXPECT_EQ(result.exitCode, 0) << result.output;
+}
+
+RealWindow::RealWindow(const VirtualDisplay& display, std::vector<std::string> arguments,
+                       const std::string& remembered)
     : display_(display.name()),
-      program_(previewCommand(display_, folder_.path(), arguments), folder_.path(),
+      program_(previewCommand(display_, folder_.path(), arguments, remembered), folder_.path(),
                folder_ / "log") {
   EXPECT_TRUE(waitFor([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));

@@ -16,7 +16,9 @@ namespace pathmark::test {
 
 class VirtualDisplay {
  public:
-  explicit VirtualDisplay(int width = 1280, int height = 800);
+  explicit VirtualDisplay(int width = 1280, int height = 800, int dotsPerInch = 96);
+
+  void setKeyboard(const std::string& layout);  // "fr"
 
   const std::string& name() const { return name_; }  // ":7"
 
@@ -28,13 +30,15 @@ class VirtualDisplay {
 
 class RealWindow {
  public:
-  // `arguments` stand behind "pathmark preview".
-  RealWindow(const VirtualDisplay& display, std::vector<std::string> arguments);
+  // `arguments` stand behind "pathmark preview"; `remembered` is preview.json, as it was left.
+  RealWindow(const VirtualDisplay& display, std::vector<std::string> arguments,
+             const std::string& remembered = {});
 
   // In the window's folder, where screenshots go.
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
   std::string title() const;
+  std::string remembered() const { return textOf(folder_ / "pathmark/preview.json"); }
   std::string log() const { return textOf(folder_ / "log"); }
   bool running() { return !program_.ended(); }
   int wait() { return program_.wait(); }

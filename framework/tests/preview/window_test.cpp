@@ -155,6 +155,81 @@ TEST_F(Preview, AnswersToItsKeys) {
   EXPECT_EQ(window.wait(), 0);
 }
 
+TEST_F(Preview, BeforeTheFirstPictureThereIsNoneToSave) {
+  coursework_.setTracePath("  return nonsense;");
+  RealWindow window = open();
+  window.press("shift+F12");
+  window.press("ctrl+q");
+  EXPECT_EQ(window.wait(), 0) << window.log();
+}
+
+TEST_F(Preview, SavesThePictureUnderANumberOfWhichThereIsNoFileOfEitherKind) {
+  coursework_.setTracePath(kDark);
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  std::ofstream(window.file("pathmark_empty_furnace_001.exr")) << "mine";
+  window.press("shift+F12");
+  EXPECT_TRUE(waitFor([&] { return fs::exists(window.file("pathmark_empty_furnace_002.exr")); }));
+  EXPECT_TRUE(fs::exists(window.file("pathmark_empty_furnace_002.png")));
+  EXPECT_EQ(textOf(window.file("pathmark_empty_furnace_001.exr")), "mine");
+}
+
+TEST_F(Preview, AfterAFileThatCouldNotBeWrittenClosingIsNoFault) {
+  coursework_.setTracePath(kDark);
+  TemporaryFolder folder;
+  // With what a picture's name has besides, it is longer than a name can be.
+  const fs::path scene = folder / (std::string(250, 'a') + ".json");
+  fs::copy_file(fs::path(PATHMARK_ROOT) / "scenes/empty_furnace.json", scene);
+  RealWindow window(
+      display_, {scene.string(), "--with", coursework_.folder().string(), "--after-rays", "128"});
+  window.waitForTitle("128 rays");
+  window.press("shift+F12");
+  window.press("ctrl+q");
+  EXPECT_EQ(window.wait(), 0) << window.log();
+}
+
+TEST_F(Preview, TakesLettersAsTheKeyboardHasThem) {
+  display_.setKeyboard("fr");
+  coursework_.setTracePath(kDark);
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  window.press("ctrl+a");
+  EXPECT_GT(window.screenshot().width, 0);
+  window.press("ctrl+q");
+  EXPECT_EQ(window.wait(), 0);
+}
+
+// As + is on Swiss keyboards.
+TEST_F(Preview, WithShiftADigitsKeyChoosesNoPanel) {
+  coursework_.setTracePath(kDark);
+  RealWindow window = open();
+  window.waitForTitle("128 rays");
+  const Image before = window.screenshot();
+  window.press("exclam");
+  const Image after = window.screenshot();
+  EXPECT_EQ(meanOf(before, before.width * 7 / 8, 60, 100, 300),
+            meanOf(after, after.width * 7 / 8, 60, 100, 300));
+  window.press("1");
+  const Image other = window.screenshot();
+  EXPECT_NE(meanOf(before, before.width * 7 / 8, 60, 100, 300),
+            meanOf(other, other.width * 7 / 8, 60, 100, 300));
+}
+
+TEST_F(Preview, IsAsLargeAsItWasLastTimeAlsoOnAHighDensityScreen) {
+  coursework_.setTracePath(kDark);
+  const VirtualDisplay dense(1600, 1200, 192);
+  RealWindow window(dense,
+                    {"empty_furnace", "--with", coursework_.folder().string(), "--after-rays", "1"},
+                    R"({"width": 700, "height": 500})");
+  window.waitForTitle("rays");
+  const Image shot = window.screenshot();
+  EXPECT_EQ(shot.width, 700);
+  EXPECT_EQ(shot.height, 500);
+  window.press("ctrl+q");
+  EXPECT_EQ(window.wait(), 0);
+  EXPECT_NE(window.remembered().find("\"width\": 700"), std::string::npos) << window.remembered();
+}
+
 TEST_F(Preview, ShowsTheSceneThatIsSaved) {
   coursework_.setTracePath("  return 0.5f * ray.direction + Colour(0.5f);");
   TemporaryFolder folder;
@@ -254,6 +329,9 @@ TEST(PreviewCommand, RefusesWhatItCannotDo) {
              "--screenshot a.jpg: the name ends in .png.");
   expectSays(preview({"--part", "7"}), 2, "allowed is 0 to 6, 8 or 9");
   expectSays(preview({"--size", "large"}), 2, "such as 1280x800");
+  for (const char* option : {"--exposure", "--scale"})
+    for (const char* value : {"nan", "inf", "1e9"})
+      expectSays(preview({option, value}), 2, std::string("found ") + value + ", allowed is");
   expectSays(preview({"--help"}), 0, "Examples:");
 }
 

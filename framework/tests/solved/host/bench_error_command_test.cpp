@@ -76,6 +76,74 @@ TEST_F(BenchErrorCommand, WhatIsKeptIsNotMadeAgain) {
     EXPECT_NE(after.find(line), std::string::npos) << line;
 }
 
+TEST_F(BenchErrorCommand, WhatIsKeptOfAnotherSeedIsMadeAgain) {
+  const auto valuesWith = [&](const std::string& seed) {
+    const json report = benchJson(words({"--estimators", "solutions", "--rays", "1", "--replicates",
+                                         "1", "--csv", "runs.csv", "--seed", seed}));
+    EXPECT_EQ(report.at("runs").size(), 1u);
+    return report.at("runs").at(0).at("relativeMse").get<double>();
+  };
+  const double first = valuesWith("0"), other = valuesWith("100");
+  EXPECT_NE(first, other);
+}
+
+TEST_F(BenchErrorCommand, OnlyWhatWasComparedWithTheSameReferenceIsSummedUp) {
+  const std::vector<std::string> kept{"--rays", "1", "--replicates", "2", "--csv", "runs.csv"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), kept.begin(), kept.end());
+    return more;
+  };
+  ASSERT_EQ(run({PATHMARK_PROGRAM, "render", "cornell_box", "--with", "solutions", "--size",
+                 "16x16", "--rays-per-pixel", "16", "--output", "peer.exr"},
+                folder_.path())
+                .exitCode,
+            0);
+  const auto namesIn = [](const json& report) {
+    std::set<std::string> names;
+    for (const json& curve : report.at("scenes").at(0).at("curves"))
+      names.insert(curve.at("estimator").get<std::string>());
+    return names;
+  };
+  using Names = std::set<std::string>;
+  EXPECT_EQ(namesIn(benchJson(
+                words(with({"--estimators", "solutions", "--peer", "Other=peer.exr,0.5,16"})))),
+            (Names{"solutions", "Other"}));
+  EXPECT_EQ(namesIn(benchJson(words(with({"--estimators", "cosine"})))),
+            (Names{"solutions", "Other", "cosine"}));
+  EXPECT_EQ(namesIn(benchJson(with({"error", "cornell_box", "--size", "8x8", "--reference-rays",
+                                    "512", "--estimators", "uniform"}))),
+            (Names{"uniform"}));
+}
+
+TEST_F(BenchErrorCommand, ImagesOfAPeerTakeThePlaceOfAllThatWereGivenBefore) {
+  for (const char* file : {"one.exr", "two.exr"})
+    ASSERT_EQ(run({PATHMARK_PROGRAM, "render", "cornell_box", "--with", "solutions", "--size",
+                   "16x16", "--rays-per-pixel", "16", "--output", file},
+                  folder_.path())
+                  .exitCode,
+              0);
+  const auto rowsWith = [&](const std::string& list) {
+    std::ofstream(folder_ / "peers.json") << list;
+    const json report = benchJson(words({"--estimators", "solutions", "--rays", "1", "--replicates",
+                                         "1", "--csv", "runs.csv", "--peer", "peers.json"}));
+    return report.at("runs").size();
+  };
+  const std::string one = R"({"name": "M", "image": "one.exr", "seconds": 1, "raysPerPixel": 16})";
+  const std::string two = R"({"name": "M", "image": "two.exr", "seconds": 1, "raysPerPixel": 16})";
+  EXPECT_EQ(rowsWith("[" + one + "," + two + "]"), 3u);
+  EXPECT_EQ(rowsWith("[" + one + "]"), 2u);
+}
+
+TEST_F(BenchErrorCommand, ANameThatItsFileCannotHoldIsRefusedFirst) {
+  std::filesystem::copy_file(std::string(PATHMARK_ROOT) + "/scenes/empty_furnace.json",
+                             folder_ / "one,two.json");
+  const ProcessResult result =
+      bench({"error", "one,two.json", "--estimators", "solutions", "--csv", "runs.csv"});
+  EXPECT_EQ(result.exitCode, 2) << result.output;
+  EXPECT_NE(result.output.find("has no commas"), std::string::npos) << result.output;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "runs.csv"));
+}
+
 TEST_F(BenchErrorCommand, PagesAndPlotsAreWellFormedAndNeedNothingFromElsewhere) {
   ASSERT_EQ(bench(words({"--estimators", "solutions,hemispherical", "--rays", "1,4", "--replicates",
                          "2", "--html", "error.html", "--svg", "error.svg"}))

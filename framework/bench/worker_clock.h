@@ -1,0 +1,11 @@
+// cpuSecondsOf: the time that a process of ours has had on processors.
+#pragma once
+
+#include <sys/types.h>
+
+namespace pathmark::bench {
+
+// Throws std::system_error.
+double cpuSecondsOf(pid_t process);
+
+}  // namespace pathmark::bench
