@@ -12,6 +12,7 @@
 #include "host/exit_code.h"
 #include "host/output_file.h"
 #include "host/session.h"
+#include "host/shell_word.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -37,8 +38,9 @@ struct BenchTargetsArguments {
 std::string commandOf(const BenchTargetsArguments& arguments) {
   std::string line = "./pathmark bench targets";
   if (arguments.quick) line += " --quick";
+  if (arguments.with != solvedCoursework()) line += " --with " + shellWord(arguments.with);
   if (!arguments.peer.empty()) line += " --peer " + arguments.peer;
-  if (!arguments.handout.empty()) line += " --handout handouts/performance.md";
+  if (!arguments.handout.empty()) line += " --handout " + shellWord(arguments.handout);
   return line;
 }
 

@@ -24,7 +24,8 @@ pid_t childOf(pid_t process) {
 }
 
 TEST_F(BenchCommand, TargetsMeasuresAllThatIsAskedAndWritesTheChapter) {
-  const json report = benchJson({"targets", "--quick", "--handout", "performance.md"});
+  const json report = benchJson(
+      {"targets", "--quick", "--with", PATHMARK_ROOT "/solutions", "--handout", "performance.md"});
   ASSERT_TRUE(report.is_object()) << output_;
   const json& figures = report.at("figures");
   for (const char* key : {"flatOverRawEmbreeAt32", "s1RaysOverFlat", "s1MeanOff16", "twoThreads",
@@ -40,8 +41,9 @@ TEST_F(BenchCommand, TargetsMeasuresAllThatIsAskedAndWritesTheChapter) {
 
   std::ifstream in(folder_ / "performance.md");
   const std::string chapter(std::istreambuf_iterator<char>(in), {});
-  for (const char* words : {"bench targets --quick", "flat loop / raw Embree",
-                            "marking one submission", "tracePathMIS"})
+  for (const char* words :
+       {"bench targets --quick --with " PATHMARK_ROOT "/solutions --handout performance.md",
+        "flat loop / raw Embree", "marking one submission", "tracePathMIS"})
     EXPECT_NE(chapter.find(words), std::string::npos) << words << "\n" << chapter;
 }
 
