@@ -10,8 +10,8 @@
 namespace pathmark {
 
 // The camera ray of the next path meets this surface. With `dark`, the surface is not seen to emit,
-// no light is there to light it, and what the first ray from it meets does not emit either: all that
-// has been counted already, however the path finds it.
+// no light is there to light it, and what the first ray from it meets does not emit either: all
+// that has been counted already, however the path finds it.
 void beginWithSurface(const Hit& surface, bool dark);
 
 // The next path begins like any other.

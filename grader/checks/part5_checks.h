@@ -16,8 +16,8 @@ inline constexpr double kBounceDelta = 0.01;  // of the weight of one bounce
 Finding bouncesAdd(CheckRun& run);
 
 // Where a check has failed without a cause: whether it is that rays start at hit.p. Next to a plate
-// of which all points have the height 0, the point of a hit lies on it exactly; elsewhere beside it,
-// by a rounding.
+// of which all points have the height 0, the point of a hit lies on it exactly; elsewhere beside
+// it, by a rounding.
 void addCauseOfRoundedStart(CheckRun& run, Finding& finding);
 
 // Of tracePath or tracePathMIS.

@@ -25,8 +25,8 @@ struct LocalDirection {
 
 class Frame {
  public:
-  // n: unit length; U x V = N. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017:
-  // no branch and no loss of accuracy for any n, also next to an axis.
+  // n: unit length; U x V = N. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1),
+  // 2017: no branch and no loss of accuracy for any n, also next to an axis.
   explicit Frame(const Vector& n) : n_(n) {
     const float sign = std::copysign(1.0f, n.z);
     const float a = -1.0f / (sign + n.z);
