@@ -5,8 +5,6 @@
 
 namespace pathmark::bench {
 
-struct Interrupted {};
-
 inline void stopIfInterrupted() {
   if (interrupted()) throw Interrupted{};
 }

@@ -60,7 +60,7 @@ enum class Incomplete {
 inline constexpr unsigned kOnePerProcessor = 0;
 
 // Throws std::system_error if the compiler cannot be run, or is killed by the machine, or the build
-// folder not be written; and ConfinementError.
+// folder not be written; ConfinementError; and Interrupted, if this process is.
 CourseworkBuild buildCoursework(const std::filesystem::path& folder,
                                 Incomplete policy = Incomplete::kNoWorker,
                                 std::shared_ptr<Confinement> confinement = {},

@@ -124,6 +124,8 @@ int main(int argc, char** argv) {
   using namespace pathmark;
   try {
     return run(argc, argv);
+  } catch (const Interrupted&) {
+    return complain("Interrupted.", kInterrupted);
   } catch (const CourseworkError& e) {
     return complain(e.what(), kCourseworkFault);
   } catch (const WorkerError& e) {

@@ -79,17 +79,39 @@ int millisecondsUntil(Clock::time_point deadline) {
   return static_cast<int>(std::max<std::int64_t>(left, 0));
 }
 
-// Feeds the input and collects the output until the child closes its end or time is up.
-bool exchange(const ProcessRequest& request, Clock::time_point deadline, Pipe& in, Pipe& out,
+// How long to wait for a process.
+class Patience {
+ public:
+  explicit Patience(const ProcessRequest& request)
+      : goOn_(request.goOn),
+        deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::chrono::duration<double>(request.timeLimitSeconds))) {}
+
+  bool mayGoOn() const { return !goOn_ || goOn_(); }
+  bool ends() const { return millisecondsUntil(deadline_) == 0 || !mayGoOn(); }
+
+  // Until the deadline, or until it is to be asked again whether to go on.
+  int milliseconds() const {
+    constexpr int kBetweenQuestions = 100;
+    const int left = millisecondsUntil(deadline_);
+    return goOn_ ? std::min(left, kBetweenQuestions) : left;
+  }
+
+ private:
+  const std::function<bool()>& goOn_;
+  Clock::time_point deadline_;
+};
+
+// Feeds the input and collects the output until the child closes its end or patience ends.
+bool exchange(const ProcessRequest& request, const Patience& patience, Pipe& in, Pipe& out,
               std::string& output) {
   std::size_t sent = 0;
   fcntl(in.write, F_SETFL, O_NONBLOCK);
   if (request.input.empty()) in.closeWrite();
   for (;;) {
-    const int left = millisecondsUntil(deadline);
-    if (left == 0) return false;
+    if (patience.ends()) return false;
     std::array<pollfd, 2> fds{{{out.read, POLLIN, 0}, {in.write, POLLOUT, 0}}};
-    if (poll(fds.data(), fds.size(), left) < 0 && errno != EINTR) return false;
+    if (poll(fds.data(), fds.size(), patience.milliseconds()) < 0 && errno != EINTR) return false;
     if (fds[1].revents != 0) {
       const ssize_t n = write(in.write, request.input.data() + sent, request.input.size() - sent);
       if (n > 0) sent += static_cast<std::size_t>(n);
@@ -108,17 +130,22 @@ bool exchange(const ProcessRequest& request, Clock::time_point deadline, Pipe& i
   }
 }
 
-}  // namespace
-
-bool awaitEnd(pid_t child, Clock::time_point deadline) {
+// Leaves the child to be waited for.
+bool awaitEndUnless(pid_t child, const std::function<bool()>& waitingEnds) {
   siginfo_t info{};
   for (;;) {
     if (waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
         info.si_pid != 0)
       return true;
-    if (millisecondsUntil(deadline) == 0) return false;
+    if (waitingEnds()) return false;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
+}
+
+}  // namespace
+
+bool awaitEnd(pid_t child, Clock::time_point deadline) {
+  return awaitEndUnless(child, [&] { return millisecondsUntil(deadline) == 0; });
 }
 
 ProcessResult runProcess(const ProcessRequest& request) {
@@ -129,16 +156,17 @@ ProcessResult runProcess(const ProcessRequest& request, const StartProcess& star
   // A child that ends before it has read its input must not end this process.
   signal(SIGPIPE, SIG_IGN);
   Pipe in, out;
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(request.timeLimitSeconds));
+  const Patience patience(request);
   const pid_t child = start(in.read, out.write);
   in.closeRead();
   out.closeWrite();
   ProcessResult result;
   result.timeLimitSeconds = request.timeLimitSeconds;
   // One may close its output and go on.
-  result.timedOut =
-      !exchange(request, deadline, in, out, result.output) || !awaitEnd(child, deadline);
+  const bool ended = exchange(request, patience, in, out, result.output) &&
+                     awaitEndUnless(child, [&] { return patience.ends(); });
+  result.stopped = !ended && !patience.mayGoOn();
+  result.timedOut = !ended && !result.stopped;
   kill(-child, SIGKILL);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -21,11 +21,15 @@ struct ProcessRequest {
   double timeLimitSeconds = 120.0;
   std::size_t outputLimit = std::size_t{256}
                             << 10;  // bytes kept of what it prints; the rest is dropped
+
+  // Asked several times a second, unless it is empty; if it says no, the process is ended.
+  std::function<bool()> goOn = {};
 };
 
 struct ProcessResult {
   int exitCode = -1;      // 128 + signal if a signal ended it
   bool timedOut = false;  // stopped at the time limit
+  bool stopped = false;   // because `goOn` said no
   double timeLimitSeconds = 0.0;
   std::string output;  // standard output and standard error together
 };

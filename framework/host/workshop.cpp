@@ -2,6 +2,7 @@
 
 #include "host/build_config.h"
 #include "host/display_path.h"
+#include "host/interrupt.h"
 
 #include <fmt/format.h>
 
@@ -68,10 +69,15 @@ std::vector<std::string> Workshop::prefixMaps() const {
 ProcessResult Workshop::run(std::vector<std::string> command, const ScratchFolder& scratch) const {
   ProcessRequest request;
   request.arguments = std::move(command);
-  if (!confinement_) return runProcess(request);
-  Confinement::Step step{std::move(request), scratch.path(), {}};
-  for (const auto& [seen, own] : readable_) step.readable.push_back(seen);
-  ProcessResult result = confinement_->run(step);
+  request.goOn = [] { return !interrupted(); };
+  const auto runStep = [&] {
+    if (!confinement_) return runProcess(request);
+    Confinement::Step step{std::move(request), scratch.path(), {}};
+    for (const auto& [seen, own] : readable_) step.readable.push_back(seen);
+    return confinement_->run(step);
+  };
+  ProcessResult result = runStep();
+  if (result.stopped) throw Interrupted();
   // People know the files by their own places.
   for (const auto& [seen, own] : readable_) {
     const std::string from = seen.string(), to = own.string();

@@ -66,6 +66,8 @@ class Workshop {
   // "-ffile-prefix-map=A=B" for what is visible elsewhere than it is.
   std::vector<std::string> prefixMaps() const;
 
+  // Throws Interrupted, if this process is, rather than wait for the end of the step; and what
+  // Confinement::run throws.
   ProcessResult run(std::vector<std::string> command, const ScratchFolder& scratch) const;
 
  private:

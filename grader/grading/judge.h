@@ -7,6 +7,7 @@
 #include "grading/mistake_pictures.h"
 #include "host/confinement.h"
 #include "host/coursework_builder.h"
+#include "host/interrupt.h"
 #include "marking/pictures.h"
 #include "record/record.h"
 
@@ -36,9 +37,6 @@ struct Judged {
 // How far a submission is, in [0,1]; returns whether to go on.
 using OnProgress = std::function<bool(double fraction)>;
 
-// Thrown where OnProgress said no: there is nothing to record.
-class Interrupted : public std::exception {};
-
 class Judge {
  public:
   // Compiles the solutions. Throws std::runtime_error if they do not compile.
@@ -46,7 +44,8 @@ class Judge {
 
   // The coursework files are in `folder`, and nothing else. The same files give the same record,
   // seconds aside, for any number of threads. Several may be judged at the same time. Throws
-  // Interrupted; anything else that is thrown is an error of the grader or the machine.
+  // Interrupted, where OnProgress said no too: there is nothing to record. Anything else that is
+  // thrown is an error of the grader or the machine.
   Judged judge(const std::filesystem::path& folder, unsigned threads, const OnProgress& onProgress);
 
  private:

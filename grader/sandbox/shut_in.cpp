@@ -93,7 +93,7 @@ ProcessResult ShutIn::run(const Step& step) {
     started = start(std::move(launch));
     return started.pid;
   });
-  if (!result.timedOut && started.startFailure)
+  if (!result.timedOut && !result.stopped && started.startFailure)
     if (const std::string failure = started.startFailure(); !failure.empty())
       throw ConfinementError(failure + " " + result.output.substr(0, 500));
   return result;

@@ -43,7 +43,7 @@ class Records {
  public:
   explicit Records(const MarksOptions& options) : options_(options) {}
 
-  // Throws grading::Interrupted.
+  // Throws Interrupted.
   record::SubmissionRecord of(const Variant& variant, std::uint64_t seed,
                               const grading::OnProgress& onProgress) {
     const fs::path coursework = options_.folder / "coursework" / variant.name;
@@ -144,7 +144,7 @@ std::vector<VariantMarks> markVariants(
         marks.push_back(
             marksOf(variant, records.of(variant, static_cast<std::uint64_t>(seed), goOn), rubric));
       }
-  } catch (const grading::Interrupted&) {
+  } catch (const Interrupted&) {
     // What is done stays.
   }
   return marks;

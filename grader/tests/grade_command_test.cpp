@@ -3,9 +3,11 @@
 #include "support/background_program.h"
 #include "worker/contract.h"
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace pathmark::test {
 namespace {
@@ -107,6 +109,37 @@ TEST_F(GradeCommand, CtrlCKeepsWhatIsDone) {
   EXPECT_NE(row.find("The run was interrupted before it"), std::string::npos) << row;
   EXPECT_EQ(grade().exitCode, 0);
   EXPECT_FALSE(rowOf(textOf(out() / "marks.csv"), "d").starts_with("d,,"));
+}
+
+TEST_F(GradeCommand, CtrlCDoesNotWaitForACompiler) {
+  add("slow");
+  // A hundred constants, each of which takes the compiler about a second.
+  std::ofstream(classFolder() / "slow" / "part6_roulette.cpp", std::ios::app) << R"(
+#include <utility>
+template <int K>
+constexpr int sum() {
+  int s = 0;
+  for (int i = 0; i < 200; ++i)
+    for (int j = 0; j < 10000; ++j) s += (i ^ j) % K;
+  return s;
+}
+template <int K>
+constexpr int kSum = sum<K + 1>();
+template <int... K>
+int sums(std::integer_sequence<int, K...>) {
+  return (kSum<K> + ...);
+}
+int allSums() { return sums(std::make_integer_sequence<int, 100>()); }
+)";
+  BackgroundProgram program(command({"--jobs", "1"}), kRoot, folder_ / "log");
+  ASSERT_TRUE(waitFor([&] { return fs::exists(out() / ".work"); }));
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  const auto signalled = std::chrono::steady_clock::now();
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_LT(std::chrono::steady_clock::now() - signalled, std::chrono::seconds(30));
+  EXPECT_NE(textOf(folder_ / "log").find("goes on from here"), std::string::npos);
+  EXPECT_FALSE(fs::exists(recordOf("slow")));
 }
 
 TEST_F(GradeCommand, CtrlCAfterTheLastOneInterruptsNothing) {
