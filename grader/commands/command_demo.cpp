@@ -22,13 +22,14 @@ int demo() {
   // What an earlier demo has graded must not be taken for this one's work.
   fs::remove_all(folder);
   makeSampleClass(folder / "submissions");
-  fmt::print(
-      "A class of made-up submissions is in {}. Grading it, as\n  ./pathmark grade {} --out "
-      "{} --seed 1\n\n",
-      displayPath(folder / "submissions"), displayPath(folder / "submissions"),
-      displayPath(folder / "grades"));
+  const std::string command =
+      fmt::format("./pathmark grade {} --out {} --seed 1", displayPath(folder / "submissions"),
+                  displayPath(folder / "grades"));
+  fmt::print("A class of made-up submissions is in {}. Grading it, as\n  {}\n\n",
+             displayPath(folder / "submissions"), command);
   std::fflush(stdout);
   GradeArguments arguments;
+  arguments.goOnWith = command;  // the demo itself begins anew
   arguments.what = {(folder / "submissions").string()};
   arguments.out = (folder / "grades").string();
   arguments.seed = 1;

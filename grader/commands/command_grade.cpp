@@ -233,7 +233,7 @@ int grade(const GradeArguments& arguments) {
                displayPath(folder.folderOf(name) / "record.json"));
   // Nothing is left to do after the last one, whenever Ctrl-C came.
   if (graded < submissions.size()) {
-    fmt::print(stderr, "Interrupted; the same command goes on from here.\n");
+    fmt::print(stderr, "Interrupted; {} goes on from here.\n", arguments.goOnWith);
     return kInterrupted;
   }
   return reports.anyFailed() ? kMachineFault : kSuccess;

@@ -18,6 +18,7 @@ struct GradeArguments {
   std::string sandbox;
   double secondsAtMost = 600.0;
   bool unsafe = false;
+  std::string goOnWith = "the same command";  // what a person types after an interrupt
 };
 
 // Returns an exit code; see the command's help for what it says.

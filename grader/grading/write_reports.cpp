@@ -65,8 +65,9 @@ ClassReports writeReports(const ClassFolder& folder, const rubric::Rubric& rubri
     records.push_back(std::move(*record));
   }
   for (const std::string& name : notYet)
-    records.push_back(withoutMarks(name, folder.seed(),
-                                   "The run was interrupted before it: the same command goes on."));
+    records.push_back(
+        withoutMarks(name, folder.seed(),
+                     "The run was interrupted before it; grading the class again goes on."));
   std::sort(records.begin(), records.end(),
             [](const auto& a, const auto& b) { return submission::naturalLess(a.name, b.name); });
   for (const record::SubmissionRecord& record : records)
