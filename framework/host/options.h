@@ -29,8 +29,11 @@ inline void takesWholeNumber(CLI::Option* option, std::int64_t low, std::int64_t
 inline void takesNumber(CLI::Option* option, double low, double high, const char* typeName,
                         const char* what = "a number") {
   const auto check = [low, high, what](const std::string& text) -> std::string {
+    // People write +1 for exposures; from_chars does not read it.
+    const bool plus = text.starts_with('+') && !text.starts_with("+-");
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] =
+        std::from_chars(text.data() + (plus ? 1 : 0), text.data() + text.size(), value);
     const bool number = error == std::errc{} && end == text.data() + text.size();
     if (number && value >= low && value <= high) return {};
     return fmt::format("found {}, allowed is {} from {} to {}", text, what, low, high);

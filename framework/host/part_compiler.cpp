@@ -27,7 +27,8 @@ namespace {
 const fs::path kContractSymbols = kProjectFolder / "framework/worker/contract.symbols";
 
 constexpr std::uintmax_t kLargestSource = std::uintmax_t{1} << 20;
-constexpr std::size_t kLargestObject = std::size_t{64} << 20;
+// That is taken out of a confinement; objectComplaint allows less, and says how much.
+constexpr std::size_t kLargestFile = std::size_t{64} << 20;
 
 std::optional<std::string> readFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -118,7 +119,7 @@ bool keepObject(const Workshop& workshop, const fs::path& made, const fs::path& 
   }
   const ScratchFolder own(nullptr);
   const fs::path taken = own / "taken.o";
-  const std::optional<std::string> complaint = takeFile(made, taken, kLargestObject)
+  const std::optional<std::string> complaint = takeFile(made, taken, kLargestFile)
                                                    ? objectComplaint(taken)
                                                    : "the compiler made no object file, or a very "
                                                      "large one";
