@@ -9,9 +9,6 @@
 #include "checks/part8_rooms.h"
 #include "checks/path_estimates.h"
 #include "checks/points.h"
-#include "checks/random_rooms.h"
-#include "checks/standins/beam.h"
-#include "checks/standins/leaning.h"
 #include "checks/standins/lopsided.h"
 #include "checks/standins/sampled_sphere.h"
 
@@ -206,47 +203,16 @@ Finding bothWays(CheckRun& run) {
   return finding;
 }
 
-// In a box whose walls all emit and reflect alike, what comes from any of them is known. A small
-// surface that looks at it draws directions with quite another density than the walls: a weight
-// that takes the density of another hit than its own is wrong from the second hit on.
+// A weight that takes the density of another hit than its own is wrong from the second hit on.
 Finding laterHits(CheckRun& run) {
   Random random(run.seed);
   constexpr int kBounces = 3;
-  const auto length = static_cast<float>(random.between(0.5, 2.0));
-  const Colour emission = randomEmission(random), albedo(0.7f, 0.0f, 0.5f), kd(0.6f, 0.0f, 0.8f);
-  // The walls' directions depend on wo, which is another one at each hit.
-  const Surface wall{
-      .kd = albedo, .emission = emission, .ks = Colour(0.05f), .exponent = leaning::kExponent};
-  const Vector x(length, 0, 0), y(0, length, 0), z(0, 0, length);
-  SceneBuilder builder;
-  builder.parallelogram(wall, Point(0), x, y)
-      .parallelogram(wall, Point(z), y, x)
-      .parallelogram(wall, Point(0), z, x)
-      .parallelogram(wall, Point(y), x, z)
-      .parallelogram(wall, Point(0), y, z)
-      .parallelogram(wall, Point(x), z, y);
-  const Point centre(0.5f * (x + y + z));
-  const float side = 1e-3f;  // of the box
-  builder.parallelogram({.kd = kd, .ks = Colour(0.05f), .exponent = beam::kLeastExponent},
-                        centre - 0.5f * side * (x + z), side * z, side * x);
-  run.worker.loadScene(builder.flat());
-  const Vector wo = atCosine({0, 1, 0}, random.between(0.3, 0.9), random.between(0.0, kTwoPi));
-  const std::vector<int> lit{0, 2};
+  const ConeInBox box(random);
+  run.worker.loadScene(box.scene());
+  const std::vector<int> lit(ConeInBox::kLit.begin(), ConeInBox::kLit.end());
   const auto judgeUpTo = [&](int bounces) {
-    glm::dvec3 right(0.0);
-    for (const int channel : lit) {
-      const double rho{albedo[channel]};
-      double share = 1.0;
-      for (int bounce = 1; bounce <= bounces; ++bounce, share *= rho) right[channel] += share;
-      right[channel] *= double{kd[channel]} * double{emission[channel]};
-    }
-    return judgeRay(
-        run, {{centre + 1e-2f * length * wo, -wo}, bounces}, 512, right, lit,
-        fmt::format(
-            "in a box of which all walls emit {} and reflect {}, looking at a small surface "
-            "that reflects into a narrow cone only, maxBounces() = {}",
-            text(emission), text(albedo), bounces),
-        {});
+    return judgeRay(run, box.ray(bounces), 512, box.radiance(bounces), lit,
+                    fmt::format("{}, maxBounces() = {}", box.text(), bounces), {});
   };
   Finding finding = judgeUpTo(kBounces);
   if (finding.status != Status::kFail) return finding;

@@ -3,6 +3,7 @@
 #include "checks/double_frame.h"
 #include "checks/exact.h"
 #include "checks/random_rooms.h"
+#include "checks/standins/beam.h"
 #include "checks/standins/leaning.h"
 
 #include <fmt/format.h>
@@ -124,6 +125,59 @@ std::vector<Case> directLightCases(std::uint64_t seed) {
     all.push_back({fmt::format("a light {:g} times as large", size), room, size});
   }
   return all;
+}
+
+namespace {
+
+const Colour kWallAlbedo(0.7f, 0.0f, 0.5f), kConeKd(0.6f, 0.0f, 0.8f);
+
+}  // namespace
+
+ConeInBox::ConeInBox(Random& random)
+    : length_(static_cast<float>(random.between(0.5, 2.0))), emission_(randomEmission(random)) {
+  wo_ = atCosine({0, 1, 0}, random.between(0.3, 0.9), random.between(0.0, kTwoPi));
+}
+
+FlatScene ConeInBox::scene() const {
+  // The walls' directions depend on wo, which is another one at each hit.
+  const Surface wall{.kd = kWallAlbedo,
+                     .emission = emission_,
+                     .ks = Colour(0.05f),
+                     .exponent = leaning::kExponent};
+  const Vector x(length_, 0, 0), y(0, length_, 0), z(0, 0, length_);
+  SceneBuilder builder;
+  builder.parallelogram(wall, Point(0), x, y)
+      .parallelogram(wall, Point(z), y, x)
+      .parallelogram(wall, Point(0), z, x)
+      .parallelogram(wall, Point(y), x, z)
+      .parallelogram(wall, Point(0), y, z)
+      .parallelogram(wall, Point(x), z, y);
+  const float side = 1e-3f;  // of the box
+  builder.parallelogram({.kd = kConeKd, .ks = Colour(0.05f), .exponent = beam::kLeastExponent},
+                        Point(0.5f * (x + y + z)) - 0.5f * side * (x + z), side * z, side * x);
+  return builder.flat();
+}
+
+PathRay ConeInBox::ray(int bounces) const {
+  return {{Point(0.5f * length_) + 1e-2f * length_ * wo_, -wo_}, bounces};
+}
+
+glm::dvec3 ConeInBox::radiance(int bounces) const {
+  glm::dvec3 sum(0.0);
+  for (const int channel : kLit) {
+    double share = 1.0;
+    for (int bounce = 1; bounce <= bounces; ++bounce, share *= double{kWallAlbedo[channel]})
+      sum[channel] += share;
+    sum[channel] *= double{kConeKd[channel]} * double{emission_[channel]};
+  }
+  return sum;
+}
+
+std::string ConeInBox::text() const {
+  return fmt::format(
+      "in a box of which all walls emit {} and reflect {}, looking at a small surface that "
+      "reflects into a narrow cone only",
+      checks::text(emission_), checks::text(kWallAlbedo));
 }
 
 }  // namespace pathmark::checks::path

@@ -6,6 +6,7 @@
 #include "checks/points.h"
 #include "scene/flat_scene.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -39,5 +40,24 @@ LitRoom below(std::vector<RoomLight> lights, Random& random);
 RoomLight above(Random& random, double height, double width, double depth);
 
 std::vector<Case> directLightCases(std::uint64_t seed);
+
+// A box of which all walls emit and reflect alike, so that what comes from any of them is known,
+// and in it a small surface that draws directions with quite another density than the walls.
+class ConeInBox {
+ public:
+  explicit ConeInBox(Random& random);
+
+  FlatScene scene() const;
+  PathRay ray(int bounces) const;          // looks at the small surface
+  glm::dvec3 radiance(int bounces) const;  // along that ray; nothing in green
+  std::string text() const;
+
+  static constexpr std::array kLit{0, 2};  // channels
+
+ private:
+  float length_;  // of the box's sides
+  Colour emission_;
+  Vector wo_{0.0f};
+};
 
 }  // namespace pathmark::checks::path

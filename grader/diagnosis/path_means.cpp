@@ -2,7 +2,7 @@
 
 #include "checks/channels.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace pathmark::diagnosis {
 
@@ -11,7 +11,7 @@ void addPathMeans(const ProbeRun& run, const PathQuestion& question, Signature& 
   std::vector<checks::PathRay> rays;
   for (const NamedRay& ray : question.rays) rays.push_back(ray.ray);
   stats::ErrorBudget budget;
-  checks::CheckRun own{run.worker, run.seed, budget};
+  checks::CheckRun own{run.worker, run.seed, budget, run.function};
   checks::PathEstimates estimates(own, rays, question.paths);
   std::vector<double> values(kReplicates * rays.size() * 3);
   estimates.measure(0, kReplicates, values);
@@ -25,6 +25,20 @@ void addPathMeans(const ProbeRun& run, const PathQuestion& question, Signature& 
     for (const int channel : question.channels)
       means.add(signature, checks::inChannel(question.rays[k].what, channel),
                 3 * k + static_cast<std::size_t>(channel));
+}
+
+PathQuestion furnaceQuestion(const ProbeRun& run, const checks::Hollow& hollow,
+                             checks::Random& random, const Colour& kd, const Colour& emission,
+                             const FurnaceRays& rays) {
+  run.worker.loadScene(furnaceIn(hollow, kd, emission));
+  PathQuestion question{{}, rays.channels, emission, 512};
+  for (const int b : rays.bounces)
+    for (const double cosine : rays.cosines)
+      question.rays.push_back(
+          {{hollow.rayAt(cosine, random), b},
+           fmt::format("radiance over emission, {}, maxBounces() = {}, cos(wo) = {}", rays.words, b,
+                       cosine)});
+  return question;
 }
 
 }  // namespace pathmark::diagnosis

@@ -1,6 +1,7 @@
 // Means of estimators, as features.
 #pragma once
 
+#include "checks/hollow.h"
 #include "checks/path_estimates.h"
 #include "diagnosis/probes.h"
 #include "diagnosis/signature.h"
@@ -25,5 +26,16 @@ struct PathQuestion {
 
 // In the scene that the worker has.
 void addPathMeans(const ProbeRun& run, const PathQuestion& question, Signature& signature);
+
+struct FurnaceRays {
+  std::vector<int> channels, bounces;
+  std::vector<double> cosines;
+  const char* words;
+};
+
+// Along these rays from within the hollow, over its emission. Gives the worker the scene.
+PathQuestion furnaceQuestion(const ProbeRun& run, const checks::Hollow& hollow,
+                             checks::Random& random, const Colour& kd, const Colour& emission,
+                             const FurnaceRays& rays);
 
 }  // namespace pathmark::diagnosis

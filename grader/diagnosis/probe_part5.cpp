@@ -15,40 +15,32 @@ namespace {
 
 using namespace checks;
 
-// Over the emission.
 PathQuestion furnace(const ProbeRun& run, const Colour& kd, const Colour& emission,
-                     const std::vector<int>& channels, const std::vector<int>& bounces,
-                     const std::vector<double>& cosines, const char* words) {
+                     const FurnaceRays& rays) {
   Random random(51);
   const Hollow hollow(random);
-  run.worker.loadScene(furnaceIn(hollow, kd, emission));
-  PathQuestion question{{}, channels, emission, 512};
-  for (const int b : bounces)
-    for (const double cosine : cosines)
-      question.rays.push_back(
-          {{hollow.rayAt(cosine, random), b},
-           fmt::format("radiance over emission, {}, maxBounces() = {}, cos(wo) = {}", words, b,
-                       cosine)});
-  return question;
+  return furnaceQuestion(run, hollow, random, kd, emission, rays);
 }
 
 void probeFurnaces(const ProbeRun& run, Signature& signature) {
   addPathMeans(run,
-               furnace(run, {0.3f, 0.2f, 0.1f}, {1.0f, 0.5f, 2.0f}, {0, 2}, {1, 2, 3, 8},
-                       {0.9, 0.3}, "in a furnace with a roulette of 0.3"),
+               furnace(run, {0.3f, 0.2f, 0.1f}, {1.0f, 0.5f, 2.0f},
+                       {{0, 2}, {1, 2, 3, 8}, {0.9, 0.3}, "in a furnace with a roulette of 0.3"}),
                signature);
   // The stand-in for the roulette lets all paths live here.
-  PathQuestion lasting = furnace(run, {0.5f, 0.0f, 0.75f}, {1.0f, 0.5f, 2.0f}, {0, 1, 2}, {1, 2, 3},
-                                 {0.6}, "in a furnace where no path ends early");
+  PathQuestion lasting =
+      furnace(run, {0.5f, 0.0f, 0.75f}, {1.0f, 0.5f, 2.0f},
+              {{0, 1, 2}, {1, 2, 3}, {0.6}, "in a furnace where no path ends early"});
   lasting.paths = 2048;  // the weight of a bounce changes little
   addPathMeans(run, lasting, signature);
+  addPathMeans(
+      run,
+      furnace(run, {0.4f, 0.3f, 0.0f}, {1.0f, 0.5f, 2.0f},
+              {{0, 1, 2}, {2, 3}, {0.8}, "in a furnace whose roulette is told by its depth"}),
+      signature);
   addPathMeans(run,
-               furnace(run, {0.4f, 0.3f, 0.0f}, {1.0f, 0.5f, 2.0f}, {0, 1, 2}, {2, 3}, {0.8},
-                       "in a furnace whose roulette is told by its depth"),
-               signature);
-  addPathMeans(run,
-               furnace(run, {0.75f, 0.0f, 0.25f}, {0.5f, 8.0f, 40.0f}, {0, 2}, {1, 4}, {0.5},
-                       "in a bright furnace"),
+               furnace(run, {0.75f, 0.0f, 0.25f}, {0.5f, 8.0f, 40.0f},
+                       {{0, 2}, {1, 4}, {0.5}, "in a bright furnace"}),
                signature);
 }
 

@@ -32,5 +32,7 @@ Signature probePart3(const ProbeRun& run);
 Signature probePart4(const ProbeRun& run);
 Signature probePart5(const ProbeRun& run);
 Signature probePart6(const ProbeRun& run);
+Signature probePart8(const ProbeRun& run);
+Signature probePart9(const ProbeRun& run);
 
 }  // namespace pathmark::diagnosis

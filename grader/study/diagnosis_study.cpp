@@ -37,22 +37,8 @@ using Functions = std::set<CourseworkFunction>;
 Functions functionsOf(int part) {
   Functions functions;
   for (const FunctionContract& f : contract())
-    if (f.part == part && !isBonus(f)) functions.insert(f.function);
+    if (f.part == part) functions.insert(f.function);
   return functions;
-}
-
-// Mistakes of bonus parts are not in the catalogue, and so get no name.
-std::vector<Variant> ofAskedParts(const std::vector<Variant>& variants) {
-  std::vector<Variant> asked;
-  for (const Variant& variant : variants)
-    if (!partNumbered(variant.part).bonus) asked.push_back(variant);
-  return asked;
-}
-
-bool isOfBonusPart(const std::string& file) {
-  return std::any_of(parts().begin(), parts().end(), [&](const PartContract& p) {
-    return p.bonus && file.starts_with(fmt::format("part{}_", p.part));
-  });
 }
 
 // Those in which a check finds something wrong: of these alone a mistake is named.
@@ -287,7 +273,7 @@ std::string catalogueStamp() {
   for (const char* folder : {"solutions", "grader/variants/wrong", "grader/diagnosis"})
     for (const auto& entry : fs::directory_iterator(project / folder))
       if (const std::string name = entry.path().filename().string();
-          entry.is_regular_file() && !others.contains(name) && !isOfBonusPart(name))
+          entry.is_regular_file() && !others.contains(name))
         files.insert(entry.path());
   for (const fs::path& file : files) {
     hasher.add(file.filename().string());
@@ -299,7 +285,7 @@ std::string catalogueStamp() {
 diagnosis::Catalogue makeCatalogue(const std::vector<Variant>& variants, unsigned threads,
                                    const StudyStep& step) {
   const CourseworkBuild others = solutions();
-  const std::vector<MistakenCase> cases = singleCases(ofAskedParts(variants));
+  const std::vector<MistakenCase> cases = singleCases(variants);
   std::vector<Signatures> all(cases.size());
   forAll(cases.size(), threads, step, [&](std::size_t i) {
     const auto made = buildCase(cases[i], others, scratchFolder());
@@ -387,7 +373,7 @@ DiagnosisReport measureDiagnosis(const diagnosis::Catalogue& catalogue,
                                  unsigned threads, const fs::path& file, const StudyStep& step) {
   NamedLog log(file);
   DiagnosisReport report;
-  const std::vector<Variant> asked = ofAskedParts(variants);
+  const std::vector<Variant> asked = variants;
   report.single = nameCases(singleCases(asked), catalogue, threads, log, step);
   report.disguised = nameCases(disguisedCases(asked, most), catalogue, threads, log, step);
   report.pairs = nameCases(pairedCases(asked, most), catalogue, threads, log, step);
