@@ -1,6 +1,7 @@
 #include "host/object_file.h"
 
 #include "host/build_config.h"
+#include "host/elf_reader.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@
 #include <system_error>
 #include <vector>
 
-#include <elf.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -53,29 +53,11 @@ void writeAll(int fd, const char* bytes, std::size_t size, const fs::path& file)
   }
 }
 
-// A table's entry, if all of it lies within the file.
-template <class T>
-std::optional<T> at(std::span<const std::byte> bytes, std::uint64_t offset) {
-  if (offset > bytes.size() || bytes.size() - offset < sizeof(T)) return std::nullopt;
-  T value;
-  std::memcpy(&value, bytes.data() + offset, sizeof value);
-  return value;
-}
-
-std::string_view nameAt(std::span<const std::byte> bytes, const Elf64_Shdr& strings,
-                        std::uint32_t index) {
-  if (strings.sh_offset > bytes.size() || strings.sh_size > bytes.size() - strings.sh_offset ||
-      index >= strings.sh_size)
-    return {};
-  const char* first = reinterpret_cast<const char*>(bytes.data()) + strings.sh_offset + index;
-  return {first, strnlen(first, strings.sh_size - index)};
-}
-
 bool hasEarlyFunction(std::span<const std::byte> bytes, const Elf64_Shdr& symbols) {
   const std::uint64_t count =
       std::min<std::uint64_t>(symbols.sh_size, bytes.size()) / sizeof(Elf64_Sym);
   for (std::uint64_t k = 0; k < count; ++k) {
-    const auto symbol = at<Elf64_Sym>(bytes, symbols.sh_offset + k * sizeof(Elf64_Sym));
+    const auto symbol = elf::at<Elf64_Sym>(bytes, symbols.sh_offset + k * sizeof(Elf64_Sym));
     if (symbol && ELF64_ST_TYPE(symbol->st_info) == STT_GNU_IFUNC) return true;
   }
   return false;
@@ -139,14 +121,9 @@ bool takeFile(const fs::path& from, const fs::path& to, std::size_t largest) {
 }
 
 std::optional<std::string> objectComplaint(std::span<const std::byte> bytes) {
-  const auto header = at<Elf64_Ehdr>(bytes, 0);
-  if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
-      header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_type != ET_REL ||
-      header->e_shentsize != sizeof(Elf64_Shdr))
-    return "what the compiler made is no object file";
-  const auto section = [&](std::uint64_t index) {
-    return at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
-  };
+  const auto header = elf::at<Elf64_Ehdr>(bytes, 0);
+  if (!header || !elf::isRelocatable(*header)) return "what the compiler made is no object file";
+  const auto section = [&](std::uint64_t index) { return elf::sectionAt(bytes, *header, index); };
   // More sections than the header can count are announced in the first one.
   const auto first = section(0);
   if (!first) return "the object file is cut short";
@@ -156,7 +133,7 @@ std::optional<std::string> objectComplaint(std::span<const std::byte> bytes) {
   for (std::uint64_t k = 0; k < count; ++k) {
     const auto here = section(k);
     if (!here || !names) return "the object file is cut short";
-    const std::string_view name = nameAt(bytes, *names, here->sh_name);
+    const std::string_view name = elf::nameAt(bytes, *names, here->sh_name);
     if (name.starts_with(".gnu.lto_") || name.starts_with(".gnu.offload_lto_"))
       return "the object file has code for link-time optimisation, and coursework is plain machine "
              "code";

@@ -6,6 +6,7 @@
 #include "host/compiler_words.h"
 #include "host/content_hash.h"
 #include "host/display_path.h"
+#include "host/framework_names.h"
 #include "host/object_file.h"
 #include "host/workshop.h"
 
@@ -15,6 +16,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -25,6 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path kContractSymbols = kProjectFolder / "framework/worker/contract.symbols";
+const fs::path kPublicSymbols = kProjectFolder / "framework/worker/public.symbols";
 
 constexpr std::uintmax_t kLargestSource = std::uintmax_t{1} << 20;
 // That is taken out of a confinement; objectComplaint allows less, and says how much.
@@ -43,7 +46,7 @@ const std::string& toolchainStamp() {
     for (const std::string_view flag : build::kCourseworkFlags) text.append(" ").append(flag);
     for (const auto& header : fs::directory_iterator(kProjectFolder / "framework/include/pathmark"))
       text += fileStamp(header.path());
-    text += fileStamp(kContractSymbols);
+    for (const fs::path& symbols : {kContractSymbols, kPublicSymbols}) text += fileStamp(symbols);
     return text;
   }();
   return all;
@@ -109,20 +112,26 @@ void throwIfKilled(const ProcessResult& step, const fs::path& source) {
                           fmt::format("the compiler of {} was killed", source.filename().string()));
 }
 
+// What is wrong with it, as objectComplaint says it, or with the names that it uses.
+std::optional<std::string> complaintAbout(const fs::path& object) {
+  if (std::optional<std::string> complaint = objectComplaint(object)) return complaint;
+  const std::string bytes = readFile(object).value_or("");
+  if (const auto name = hiddenNameUsedBy(std::as_bytes(std::span(bytes))))
+    return fmt::format(
+        "the coursework uses {}, which is the framework's own; it may use what the headers in "
+        "framework/include/pathmark/ declare",
+        *name);
+  return std::nullopt;
+}
+
 // The object to its place in the build folder. Nothing is believed of what was made in a
-// confinement.
-bool keepObject(const Workshop& workshop, const fs::path& made, const fs::path& object,
-                std::string& messages) {
-  if (!workshop.confinement()) {
-    fs::rename(made, object);
-    return true;
-  }
+// confinement; outside of one the same is refused, so that nobody learns of it from the marks.
+bool keepObject(const fs::path& made, const fs::path& object, std::string& messages) {
   const ScratchFolder own(nullptr);
   const fs::path taken = own / "taken.o";
-  const std::optional<std::string> complaint = takeFile(made, taken, kLargestFile)
-                                                   ? objectComplaint(taken)
-                                                   : "the compiler made no object file, or a very "
-                                                     "large one";
+  const std::optional<std::string> complaint =
+      takeFile(made, taken, kLargestFile) ? complaintAbout(taken)
+                                          : "the compiler made no object file, or a very large one";
   if (complaint) {
     messages += fmt::format(" {}.\n", *complaint);
     return false;
@@ -170,7 +179,7 @@ bool compileObject(const std::shared_ptr<Confinement>& confinement, const std::s
     return false;
   }
   keepWarnings(object, messages);
-  return keepObject(tools, merged, object, messages);
+  return keepObject(merged, object, messages);
 }
 
 }  // namespace

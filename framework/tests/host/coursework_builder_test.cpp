@@ -13,7 +13,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -102,6 +104,32 @@ TEST(CourseworkBuilder, StartsNoMoreCompilersThanItIsAllowed) {
   buildCoursework(coursework.folder(), Incomplete::kCompileOnly, confinement, 4);
   EXPECT_LE(confinement->mostSteps(), 4);
   EXPECT_GT(confinement->mostSteps(), 1);
+}
+
+// Contracted products and sums would make edge functions of neighbouring triangles disagree, and
+// marks depend on the compiler's choices.
+TEST(CourseworkBuilder, CompilesWithArithmeticAsItIsWritten) {
+  const std::set<std::string_view> flags(build::kCourseworkFlags.begin(),
+                                         build::kCourseworkFlags.end());
+  EXPECT_TRUE(flags.contains("-ffp-contract=off"));
+  for (const char* loose : {"-ffast-math", "-Ofast", "-funsafe-math-optimizations"})
+    EXPECT_FALSE(flags.contains(loose)) << loose;
+}
+
+TEST(CourseworkBuilder, UsesNothingOfTheFrameworkThatNoHeaderDeclares) {
+  TestCoursework coursework;
+  coursework.setFile("part6_roulette.cpp", R"(
+void countRaysOfThisThread(std::uint64_t rays);
+Roulette LitScene::RussianRoulette(const Colour&, int, float) const {
+  countRaysOfThisThread(1);
+  return {true, 1.0f};
+})");
+  const CourseworkBuild made = buildCoursework(coursework.folder());
+  EXPECT_FALSE(made.complete());
+  EXPECT_NE(made.failure().find("the coursework uses pathmark::countRaysOfThisThread(unsigned "
+                                "long), which is the framework's own"),
+            std::string::npos)
+      << made.failure();
 }
 
 TEST(CourseworkBuilder, ACompilerThatTheMachineKillsIsNoFaultOfTheCoursework) {
