@@ -1,9 +1,9 @@
 #include "bench/error_estimators.h"
 
-#include "bench/worker_clock.h"
 #include "host/display_path.h"
 #include "host/interrupt.h"
 #include "host/lab.h"
+#include "host/worker_clock.h"
 #include "scene/spelling.h"
 
 #include <fmt/format.h>

@@ -21,6 +21,7 @@ struct Measured {
   Image image;               // with variances
   double rays = 0.0;         // of all kinds
   std::uint32_t replicates;  // that the variances come from
+  double cpuSeconds = 0.0;   // of the worker, on whatever machine
 };
 
 // Root mean square over tiles and channels of (a - b) / size, less what noise adds to it, over that

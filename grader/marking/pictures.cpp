@@ -5,6 +5,7 @@
 #include "film/usable_pixels.h"
 #include "host/render_loop.h"
 #include "host/session.h"
+#include "host/worker_clock.h"
 #include "sampling/mix.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,30 @@ RenderSettings settingsOf(const MarkingScene& scene, std::uint64_t seed, unsigne
 
 RenderedImage renderAll(WorkerProcess& worker, const RenderSettings& settings) {
   return renderImage(worker, settings, [](const RenderStatus&) { return true; });
+}
+
+struct Made {
+  Measured measured;
+  InvalidPixels invalid;
+  double pixelPasses = 0.0;
+};
+
+// The scene must have been loaded.
+Made measure(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed, unsigned threads,
+             const Effort& effort) {
+  RenderSettings settings = settingsOf(scene, seed, threads);
+  settings.raysPerPixel = effort.raysPerPixel;
+  settings.replicates = effort.replicates;
+  const double before = cpuSecondsOf(worker.pid());
+  const RenderedImage rendered = renderAll(worker, settings);
+  const double cpuSeconds = cpuSecondsOf(worker.pid()) - before;
+  // The worker counts its rays itself; each camera ray is one of them.
+  const auto pixels = static_cast<double>(settings.width) * settings.height;
+  const double cameraRays = pixels * static_cast<double>(effort.raysPerPixel);
+  const double rays = std::max(static_cast<double>(rendered.raysTraced), cameraRays);
+  return {{rendered.image, rays, effort.replicates, cpuSeconds},
+          rendered.invalid,
+          cameraRays / settings.raysPerPass()};
 }
 
 double brightnessOf(const Image& image) {
@@ -93,11 +118,7 @@ std::string invalidWords(const InvalidPixels& invalid, double values) {
 Measured renderMeasured(WorkerProcess& worker, const MarkingScene& scene, std::uint64_t seed,
                         unsigned threads, const Effort& effort) {
   worker.loadScene(scene.flat);
-  RenderSettings settings = settingsOf(scene, seed, threads);
-  settings.raysPerPixel = effort.raysPerPixel;
-  settings.replicates = effort.replicates;
-  const RenderedImage rendered = renderAll(worker, settings);
-  return {rendered.image, static_cast<double>(rendered.raysTraced), effort.replicates};
+  return measure(worker, scene, seed, threads, effort).measured;
 }
 
 const Solved& SolvedPictures::of(const MarkingScene& scene, bool withConvergence,
@@ -135,19 +156,16 @@ Compared comparePicture(WorkerProcess& worker, const MarkingScene& scene, Solved
   record.raysPerPixel = static_cast<double>(kRaysPerPixel);
   try {
     worker.loadScene(scene.flat);
-    RenderSettings settings = settingsOf(scene, options.seed, options.threads);
-    settings.raysPerPixel = kRaysPerPixel;
-    settings.replicates = kReplicates;
-    const RenderedImage rendered = renderAll(worker, settings);
-    const Measured yours{rendered.image, static_cast<double>(rendered.raysTraced), kReplicates};
-    compared.image = rendered.image;
-    const Measured& theirs = reference.picture;
+    const Made made = measure(worker, scene, options.seed, options.threads, {});
+    const Measured &yours = made.measured, &theirs = reference.picture;
+    compared.image = yours.image;
     record.bias = tileBias(yours.image, theirs.image);
     record.meanError = meanErrors(yours.image, theirs.image);
     record.efficiency = efficiencyOver(yours, theirs);
     record.pValues = pValueHistogram(yours, theirs);
-    const double passes = static_cast<double>(kRaysPerPixel) / settings.raysPerPass();
-    record.invalid = invalidWords(rendered.invalid, passes * record.width * record.height);
+    record.cpuSeconds = yours.cpuSeconds;
+    record.cpuSecondsOfSolutions = theirs.cpuSeconds;
+    record.invalid = invalidWords(made.invalid, made.pixelPasses);
     if (options.convergence) {
       record.convergence.raysPerPixel.assign(kRayCounts.begin(), kRayCounts.end());
       record.convergence.solutions = reference.convergence;

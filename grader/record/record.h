@@ -95,6 +95,8 @@ struct PictureRecord {
   std::array<Estimate, 3> meanError{};
   // Efficiency, 1 / (variance x rays), over that of the solutions.
   std::optional<Estimate> efficiency;
+  // Of rendering, as the operating system tells; depends on the machine.
+  double cpuSeconds = 0.0, cpuSecondsOfSolutions = 0.0;
 
   // p-values of pixels in equal bins of [0,1]: flat where there is nothing but noise.
   std::vector<std::uint32_t> pValues;

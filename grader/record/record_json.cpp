@@ -107,6 +107,8 @@ void visit(Visitor& v, T& p) requires std::same_as<std::remove_const_t<T>, Pictu
   v("bias", p.bias);
   v("meanError", p.meanError);
   v("efficiency", p.efficiency);
+  v("cpuSeconds", p.cpuSeconds);
+  v("cpuSecondsOfSolutions", p.cpuSecondsOfSolutions);
   v("pValues", p.pValues);
   v("convergence", p.convergence);
   v("invalid", p.invalid);

@@ -68,6 +68,9 @@ Markup numbers(const PictureRecord& picture) {
                                         "magenta.",
                                         picture.invalid));
   if (picture.efficiency) rows += term("efficiency", efficiencyText(*picture.efficiency));
+  if (picture.cpuSeconds > 0.0)
+    rows += term("CPU time", fmt::format("{:.2g} s; the solutions {:.2g} s", picture.cpuSeconds,
+                                         picture.cpuSecondsOfSolutions));
   return markup("<dl class=\"facts\">{}</dl>\n", rows);
 }
 

@@ -3,8 +3,8 @@
 #include "bench/alternate.h"
 #include "bench/interrupted_run.h"
 #include "bench/stress/stress.h"
-#include "bench/worker_clock.h"
 #include "host/shared_memory.h"
+#include "host/worker_clock.h"
 
 #include <algorithm>
 #include <cmath>

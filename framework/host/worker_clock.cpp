@@ -1,10 +1,10 @@
-#include "bench/worker_clock.h"
+#include "host/worker_clock.h"
 
 #include <cerrno>
 #include <ctime>
 #include <system_error>
 
-namespace pathmark::bench {
+namespace pathmark {
 
 double cpuSecondsOf(pid_t process) {
   clockid_t clock{};
@@ -17,4 +17,4 @@ double cpuSecondsOf(pid_t process) {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-}  // namespace pathmark::bench
+}  // namespace pathmark

@@ -3,9 +3,9 @@
 
 #include <sys/types.h>
 
-namespace pathmark::bench {
+namespace pathmark {
 
 // Throws std::system_error.
 double cpuSecondsOf(pid_t process);
 
-}  // namespace pathmark::bench
+}  // namespace pathmark
