@@ -29,9 +29,9 @@ struct ProcessRequest {
 struct ProcessResult {
   int exitCode = -1;      // 128 + signal if a signal ended it
   bool timedOut = false;  // stopped at the time limit
-  bool stopped = false;   // because `goOn` said no
   double timeLimitSeconds = 0.0;
-  std::string output;  // standard output and standard error together
+  std::string output;    // standard output and standard error together
+  bool stopped = false;  // because `goOn` said no
 };
 
 // Throws std::system_error if the program cannot be started.
