@@ -1,6 +1,7 @@
 #include "report/class_html.h"
 
 #include "report/class_numbers.h"
+#include "report/class_scenes.h"
 #include "report/class_verdicts.h"
 #include "report/page_html.h"
 #include "report/plots.h"
@@ -179,6 +180,7 @@ std::string classHtml(GradedClass graded) {
   body += toLookAt(graded);
   body += overview(graded, parts);
   body += submissionsTable(graded, parts);
+  body += classScenes(graded);
   body += functionCountsHtml(functionCounts(graded), graded.size());
   body += Markup{"</main>"};
   return page("Class \u2013 Pathmark", body,

@@ -158,15 +158,17 @@ const CheckRecord* worstOf(const std::vector<CheckRecord>& checks) {
 
 std::vector<Field> fieldsOf(const CheckRecord& check) {
   const bool blocked = check.verdict == Verdict::kBlocked;
-  std::vector<Field> fields{{"where", check.where},
-                            {"expected", check.expected},
-                            {"got", check.got},
-                            {"tolerance", check.tolerance},
-                            {blocked ? "blocked by" : "likely cause", check.cause},
-                            {"evidence", check.evidence},
-                            {"note", check.remark},
-                            {"read", check.read},
-                            {"repeat", check.repeat}};
+  std::vector<Field> fields{
+      {"where", check.where},
+      {"expected", check.expected},
+      {"got", check.got},
+      {"tolerance", check.tolerance},
+      {"shown", shownWords(check.verdict == Verdict::kUndecided, check.shown, check.delta)},
+      {blocked ? "blocked by" : "likely cause", check.cause},
+      {"evidence", check.evidence},
+      {"note", check.remark},
+      {"read", check.read},
+      {"repeat", check.repeat}};
   std::erase_if(fields, [](const Field& field) { return field.value.empty(); });
   return fields;
 }

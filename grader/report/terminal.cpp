@@ -243,6 +243,8 @@ std::vector<Field> fieldsOf(const CheckResult& result) {
                             {"expected", finding.expected},
                             {got, finding.got},
                             {"tolerance", finding.tolerance},
+                            {"shown", shownWords(finding.status == Status::kUndecided,
+                                                 finding.shown, result.check->delta)},
                             {"likely", finding.cause},
                             {"evidence", finding.evidence},
                             {"read", read}};

@@ -328,6 +328,18 @@ TEST(ClassHtml, ShowsEverySubmissionWithALinkToItsReport) {
   EXPECT_EQ(html.find("https://"), std::string::npos);
 }
 
+TEST(ClassHtml, ShowsTheScenesOfAllBesideOneAnother) {
+  test::SampleClass c = test::sampleClass();
+  const std::string html = classHtml(c.graded());
+  const std::size_t section = html.find("<h2>Scenes of their own</h2>");
+  ASSERT_NE(section, std::string::npos);
+  EXPECT_NE(html.find("Caustics below a glass of water", section), std::string::npos);
+  EXPECT_NE(html.find("<img", section), std::string::npos);
+  for (record::SubmissionRecord& record : c.records)
+    for (record::SceneRecord& scene : record.scenes) scene.picture.clear();
+  EXPECT_EQ(classHtml(c.graded()).find("Scenes of their own"), std::string::npos);
+}
+
 TEST(ClassHtml, PutsFirstWhatAPersonShouldLookAt) {
   const test::SampleClass c = test::sampleClass();
   const std::string html = classHtml(c.graded());

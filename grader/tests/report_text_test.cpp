@@ -2,6 +2,7 @@
 
 #include "report/class_table.h"
 #include "report/clean_text.h"
+#include "report/field.h"
 #include "report/html_text.h"
 #include "support/hostile.h"
 #include "support/sample_record.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace pathmark {
@@ -20,12 +22,20 @@ using report::cleanLine;
 using report::cleanText;
 using report::columnsOf;
 using report::cutInMiddle;
+using report::shownWords;
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
+}
+
+TEST(ShownWords, SayOfAnUndecidedCheckWhatItWouldHaveFound) {
+  EXPECT_EQ(shownWords(true, 0.023, 0.01),
+            "an error of 2.3 % would have been found, and 1 % should be");
+  EXPECT_EQ(shownWords(false, 0.023, 0.01), "");
+  EXPECT_EQ(shownWords(true, std::numeric_limits<double>::infinity(), 0.01), "");
 }
 
 TEST(CleanText, KeepsTextOfAllLanguages) {
