@@ -11,6 +11,7 @@
 #include "preview/remembered.h"
 #include "preview/window.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
@@ -88,6 +89,8 @@ class App {
   Tab tab_ = Tab::kProgress;    // that is seen
   std::optional<Tab> openTab_;  // to be opened in this frame
   double stops_ = 0.0;
+  std::uint64_t noiseOf_ = 0;    // the picture's version of which it is
+  std::optional<double> noise_;  // relative mean squared, as the picture's own variances tell
   bool help_ = false;
   std::string toast_;
   double toastUntil_ = 0.0;

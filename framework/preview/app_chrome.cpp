@@ -1,6 +1,7 @@
 // What the app draws around its panels.
 #include "preview/app.h"
 
+#include "preview/compare/error_curves.h"
 #include "preview/panels.h"
 
 #include <fmt/format.h>
@@ -251,6 +252,11 @@ void App::drawStatus() {
     const Picture& p = *state_->picture;
     text += fmt::format("   {:.4g} rays per pixel   {}   {:.1f} million rays/s", p.raysPerPixel,
                         shortTime(p.seconds), 1e-6 * p.raysPerSecond);
+    if (noiseOf_ != p.version) {
+      noiseOf_ = p.version;
+      noise_ = expectedError(p.image, nullptr);
+    }
+    if (noise_) text += fmt::format("   noise {:.2g} %", 100.0 * std::sqrt(*noise_));
     if (const std::string_view way = wayWords(p.made); !way.empty())
       text += fmt::format("   {}", way);
     if (!p.paths.empty()) text += fmt::format("   light paths {}", p.paths);

@@ -28,6 +28,21 @@ std::string lightOf(const std::string& paths) {
 
 bool sameSize(const Image& a, const Image& b) { return a.width == b.width && a.height == b.height; }
 
+// Light that paths which sample the lights alone meet so rarely that pictures of any size lack it,
+// and their own variances do not tell. Shipped references are made by tracePathMIS.
+std::string mirrorNote(const PreviewScene& scene) {
+  constexpr float kNearlyAMirror = 1000.0f;
+  float exponent = 0.0f;
+  for (const FlatMaterial& material : scene.loaded.flat.materials)
+    if (material.kind == FlatMaterialKind::kPhong) exponent = std::max(exponent, material.exponent);
+  if (exponent < kNearlyAMirror) return {};
+  return fmt::format(
+      "Surfaces of the exponent {:g} are nearly mirrors: of the lights in them the reference has "
+      "all, and tracePath, which samples points on lights only, hardly any, however right it is. "
+      "Part 8 finds them.",
+      exponent);
+}
+
 // With variances from a file that does not say of how many replicates: the fewest.
 FoundReference found(ImageFile file, std::string name, std::uint64_t id) {
   const auto image = std::make_shared<const Image>(std::move(file.image));
@@ -72,9 +87,14 @@ FoundReference ReferenceFinder::findShipped(const Picture& picture) {
     shipped_ = readShipped(*picture.scene);
     shippedFor_ = picture.scene;
   }
-  if (!shipped_.reference || sameSize(*shipped_.reference->image, picture.image)) return shipped_;
-  return none(fmt::format("The reference has {} pixels, and this picture {}. {}",
-                          sizeOf(*shipped_.reference->image), sizeOf(picture.image), kKeepInstead));
+  if (!shipped_.reference) return shipped_;
+  if (!sameSize(*shipped_.reference->image, picture.image))
+    return none(fmt::format("The reference has {} pixels, and this picture {}. {}",
+                            sizeOf(*shipped_.reference->image), sizeOf(picture.image),
+                            kKeepInstead));
+  FoundReference result = shipped_;
+  if (picture.made.estimator != Estimator::kMis) result.note = mirrorNote(*picture.scene);
+  return result;
 }
 
 FoundReference ReferenceFinder::readShipped(const PreviewScene& scene) {

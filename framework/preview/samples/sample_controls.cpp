@@ -142,7 +142,7 @@ void chooseParameters(SampleSettings& s, float scale) {
     case F::kPhongReflection:
       chooseNormal(sliders, s);
       sliders.slider("wo: %.0f° from the normal", s.woAngle, 0.0, 89.0);
-      sliders.slider("exponent %.4g", s.exponent, 0.0, 10000.0, true);
+      sliders.slider("exponent %.4g", s.exponent, 0.0, 1e6, true);
       sliders.slider("Kd / (Kd + Ks) = %.2f", s.diffuseShare, 0.0, 1.0);
       break;
     case F::kSphereSample:

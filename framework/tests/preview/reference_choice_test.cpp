@@ -77,6 +77,18 @@ TEST_F(ReferenceChoice, TheShippedReferenceOfTheSceneIsFoundAndReadOnce) {
   EXPECT_EQ(find(picture()).reference, found.reference);
 }
 
+TEST_F(ReferenceChoice, SaysOfNearMirrorsThatTracePathHardlyFindsTheirLight) {
+  ship(scene_->hash);
+  EXPECT_EQ(find(picture()).note, "");
+  PreviewScene smooth = *scene_;
+  smooth.loaded.flat.materials.push_back({.kind = FlatMaterialKind::kPhong, .exponent = 30000.0f});
+  Picture mirrored = picture();
+  mirrored.scene = std::make_shared<const PreviewScene>(smooth);
+  EXPECT_NE(find(mirrored).note.find("exponent 30000 are nearly mirrors"), std::string::npos);
+  mirrored.made.estimator = Estimator::kMis;
+  EXPECT_EQ(find(mirrored).note, "");
+}
+
 TEST_F(ReferenceChoice, AMissingReferenceIsASentence) {
   expectNone(find(picture()), "There is no reference for test");
 }
