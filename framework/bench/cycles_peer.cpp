@@ -44,8 +44,9 @@ std::optional<CyclesPeer> CyclesPeer::find(const fs::path& folder) {
 }
 
 CyclesResult CyclesPeer::render(const BenchScene& scene, std::uint64_t raysPerPixel,
-                                std::uint64_t seed) const {
-  const CyclesJob job{raysPerPixel, seed, folder_ / fmt::format("cycles_{}.exr", scene.name)};
+                                std::uint64_t seed, const CyclesPlace& place) const {
+  const CyclesJob job{raysPerPixel, seed, folder_ / fmt::format("cycles_{}.exr", scene.name),
+                      place};
   const fs::path file = writeCyclesScene(scene, job, folder_);
   const fs::path script = fs::path(build::kProjectFolder) / "framework/bench/cycles_scene.py";
   const fs::path log = folder_ / "cycles.txt";

@@ -3,6 +3,7 @@
 //   CyclesPeer   renders a scene with it, as a process of its own
 #pragma once
 
+#include "bench/cycles_scene.h"
 #include "bench/render_runs.h"
 
 #include <optional>
@@ -23,8 +24,8 @@ class CyclesPeer {
   const std::string& version() const { return version_; }
 
   // One thread. Throws std::runtime_error with what Blender said, if it fails.
-  CyclesResult render(const BenchScene& scene, std::uint64_t raysPerPixel,
-                      std::uint64_t seed) const;
+  CyclesResult render(const BenchScene& scene, std::uint64_t raysPerPixel, std::uint64_t seed,
+                      const CyclesPlace& place = {}) const;
 
  private:
   explicit CyclesPeer(std::filesystem::path folder, std::string version)

@@ -84,6 +84,8 @@ fs::path writeCyclesScene(const BenchScene& bench, const CyclesJob& job, const f
             {"raysPerPixel", job.raysPerPixel},
             {"seed", job.seed},
             {"output", job.output.string()},
+            {"scale", job.place.scale},
+            {"shift", job.place.shift},
             {"materials", Json::array()},
             {"meshes", Json::array()},
             {"spheres", Json::array()}};

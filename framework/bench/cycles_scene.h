@@ -5,10 +5,16 @@
 
 namespace pathmark::bench {
 
+// Every point is moved by `shift` along each axis, and then multiplied by `scale`, in Blender.
+struct CyclesPlace {
+  double scale = 1.0, shift = 0.0;
+};
+
 struct CyclesJob {
   std::uint64_t raysPerPixel = 64;
   std::uint64_t seed = 0;
   std::filesystem::path output;  // .exr
+  CyclesPlace place{};
 };
 
 // Writes `folder`/cycles.json and the arrays that it names: of each material's triangles, three

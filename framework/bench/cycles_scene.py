@@ -21,6 +21,11 @@ def read_array(file, kind):
     return values
 
 
+# Where a point of the scene is to be; all are of double precision until Blender stores them.
+def moved(point, description):
+    return [(c + description["shift"]) * description["scale"] for c in point]
+
+
 # Lambertian, and emission of the front: the side that faces show counter-clockwise.
 def make_material(description):
     material = bpy.data.materials.new("material")
@@ -55,7 +60,8 @@ def add_object(data):
     return thing
 
 
-def add_mesh(vertices, indices, material):
+def add_mesh(vertices, indices, material, description):
+    vertices = array.array("f", moved(vertices, description))
     mesh = bpy.data.meshes.new("mesh")
     triangles = len(indices) // 3
     mesh.vertices.add(len(vertices) // 3)
@@ -73,22 +79,23 @@ def add_mesh(vertices, indices, material):
 # 81,920 flat triangles: the picture's mean is within 0.1 % of the sphere's. Smooth shading makes it
 # darker by 3 %. A point light with a radius, which Cycles samples with less noise, is a disk in
 # Blender 3.4: the picture is brighter by 0.3 %, and the light itself by up to 5 %.
-def add_sphere(sphere, material):
+def add_sphere(sphere, material, description):
     bpy.ops.mesh.primitive_ico_sphere_add(
-        subdivisions=7, radius=sphere["radius"], location=sphere["centre"])
+        subdivisions=7, radius=sphere["radius"] * description["scale"],
+        location=moved(sphere["centre"], description))
     bpy.context.object.data.materials.append(material)
 
 
-def add_camera(description):
+def add_camera(description, place):
     camera = bpy.data.cameras.new("camera")
     camera.sensor_fit = "VERTICAL"
     camera.angle = description["fieldOfView"]
-    camera.clip_start = 1e-3 * description["distance"]
-    camera.clip_end = 1e3 * description["distance"]
+    camera.clip_start = 1e-3 * description["distance"] * place["scale"]
+    camera.clip_end = 1e3 * description["distance"] * place["scale"]
     thing = add_object(camera)
     right, up, back = (Vector(description[k]) for k in ("right", "up", "back"))
     axes = Matrix((right, up, back)).transposed().to_4x4()
-    thing.matrix_world = Matrix.Translation(description["eye"]) @ axes
+    thing.matrix_world = Matrix.Translation(moved(description["eye"], place)) @ axes
     bpy.context.scene.camera = thing
 
 
@@ -130,10 +137,10 @@ def main():
     materials = [make_material(m) for m in description["materials"]]
     for mesh in description["meshes"]:
         add_mesh(read_array(mesh["vertices"], "f"), read_array(mesh["indices"], "i"),
-                 materials[mesh["material"]])
+                 materials[mesh["material"]], description)
     for sphere in description["spheres"]:
-        add_sphere(sphere, materials[sphere["material"]])
-    add_camera(description["camera"])
+        add_sphere(sphere, materials[sphere["material"]], description)
+    add_camera(description["camera"], description)
     set_up_render(description)
     started = time.process_time()
     bpy.ops.render.render(write_still=True)

@@ -1,6 +1,7 @@
 // pathmark bench stress: over which range of scales, places, lights, materials and numbers renders
 // stay right.
 #include "bench/bench_commands.h"
+#include "bench/cycles_peer.h"
 #include "bench/interrupted_run.h"
 #include "bench/machine.h"
 #include "bench/report_file.h"
@@ -24,7 +25,7 @@ namespace {
 struct BenchStressArguments {
   std::vector<std::string> only;
   std::string with = solvedCoursework();
-  std::string json, handout;
+  std::string json, handout, peer;
   bool quick = false;
 };
 
@@ -43,6 +44,16 @@ std::vector<StressPart> wantedParts(const std::vector<std::string>& only) {
   return parts;
 }
 
+// Before minutes of other work.
+void refusePeer(const std::string& peer) {
+  if (peer.empty()) return;
+  if (peer != "cycles") throw UsageError(fmt::format("--peer {}: cycles is the only one.", peer));
+  if (!CyclesPeer::find({}))
+    throw UsageError(
+        "--peer cycles: there is no program blender; on Debian and Ubuntu it is the package "
+        "blender.");
+}
+
 bool reachesAll(const Report& report) {
   return std::ranges::none_of(report.figures,
                               [](const Figure& f) { return f.verdict() == "not met"; });
@@ -56,10 +67,12 @@ void addInvalid(Stress& stress) {
 
 int stressAll(const BenchStressArguments& arguments) {
   const std::vector<StressPart> parts = wantedParts(arguments.only);
+  refusePeer(arguments.peer);
   refuseJsonFile(arguments.json);
   if (!arguments.handout.empty()) requirePlaceForFile("--handout", arguments.handout);
   double steps = 0.0;
   for (const StressPart& part : parts) steps += part.steps;
+  if (!arguments.peer.empty()) steps += kStepsOfPeer;
   Stress stress{
       .coursework = prepareCoursework(arguments.with),
       .quick = arguments.quick,
@@ -67,6 +80,7 @@ int stressAll(const BenchStressArguments& arguments) {
       .report = {.command = "bench stress", .machine = machineLine(), .tables = {}, .figures = {}}};
   try {
     for (const StressPart& part : parts) part.run(stress);
+    if (!arguments.peer.empty()) stressPeer(stress);
   } catch (const Interrupted&) {
     stress.progress.clear();
     fmt::print(stderr, "Interrupted: nothing was written.\n");
@@ -94,6 +108,11 @@ void addBenchStressCommand(CLI::App& bench, CommandAction& action) {
   addWithOption(*command, arguments->with);
   command->add_flag("--quick", arguments->quick,
                     "With fewer rays and fewer places: less than a minute instead of ten");
+  command
+      ->add_option("--peer", arguments->peer,
+                   "Also how far another renderer's pictures stay the same: cycles, which needs "
+                   "blender")
+      ->type_name("PEER");
   addJsonOption(*command, arguments->json);
   command->add_option("--handout", arguments->handout, "Write the findings as a chapter, too")
       ->type_name("FILE");
@@ -102,7 +121,7 @@ void addBenchStressCommand(CLI::App& bench, CommandAction& action) {
       "  ./pathmark bench stress --quick\n"
       "  ./pathmark bench stress --only lights --only materials\n"
       "  ./pathmark bench stress --with student --only input\n"
-      "  ./pathmark bench stress --json stress.json --handout handouts/stress.md\n\n"
+      "  ./pathmark bench stress --json stress.json --peer cycles --handout handouts/stress.md\n\n"
       "Expected values are closed forms and quadratures in long double, or the same scene "
       "elsewhere.\n"
       "The bounds are the solutions': coursework that is right but noisier, or less careful at "

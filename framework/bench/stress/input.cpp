@@ -371,22 +371,40 @@ void askRoulette(Input& input) {
   input.row(F::kRussianRoulette);
 }
 
-void renderScenes(Input& input, bool quick) {
+// Of bonus part 8: densities of a light and of a BRDF, from none to one of a mirror.
+void askHeuristic(Input& input) {
+  CallWords inputs;
+  for (const float a :
+       {0.0f, 0x1p-140f, 1e-30f, 1.0f, 1e30f, std::numeric_limits<float>::infinity()})
+    for (const float b :
+         {0.0f, 0x1p-140f, 1e-30f, 1.0f, 1e30f, std::numeric_limits<float>::infinity()})
+      inputs.add(a, b);
+  input.ask(F::kPowerHeuristic, CallWords(), inputs, [](AnswerWords& a) {
+    const float weight = a.number();
+    return std::isfinite(weight) && weight >= 0.0f && weight <= 1.0f;
+  });
+  input.row(F::kPowerHeuristic);
+}
+
+void renderScenes(Input& input, bool quick, Estimator estimator, LightSampling lights,
+                  const std::string& row) {
   for (const std::string& name : shippedSceneNames()) {
     if (name == "blob") continue;  // its functions are those of the others, and its mesh is large
     SceneOverrides overrides;
     overrides.size = {32, 32};
-    const LoadedScene scene = loadScene(shippedSceneFile(name), overrides);
+    LoadedScene scene = loadScene(shippedSceneFile(name), overrides);
+    scene.flat.lightSampling = lights;
     RenderOptions options;
     options.raysPerPixel = quick ? 64 : 1024;
     options.sampler = SamplerKind::kCorners;
+    options.estimator = estimator;
     const RenderSettings settings = settingsFor(scene, options);
     input.worker().load(scene.flat);
     const RenderedImage image = input.worker().render(settings);
     input.count(static_cast<double>(settings.pixels() * options.raysPerPixel),
                 static_cast<double>(image.invalid.count()));
   }
-  input.row("renderPixel and what it calls, in pictures");
+  input.row(row);
 }
 
 }  // namespace
@@ -409,7 +427,11 @@ void stressInput(Stress& stress) {
   askSpheres(input);
   askAllMaterials(input);
   askRoulette(input);
-  renderScenes(input, stress.quick);
+  askHeuristic(input);
+  renderScenes(input, stress.quick, Estimator::kPath, LightSampling::kByArea,
+               "renderPixel and what it calls, in pictures");
+  renderScenes(input, stress.quick, Estimator::kMis, LightSampling::kBySolidAngle,
+               "the same with tracePathMIS, lights by the solid angle");
   stress.addFaults("input", "answers to such numbers that are none", input.faults());
   stress.progress.advance(20.0);
 }

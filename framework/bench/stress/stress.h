@@ -88,4 +88,8 @@ void stressLongRuns(Stress& stress);
 void stressThreads(Stress& stress);
 void stressDegenerate(Stress& stress);
 
+// Another renderer's similarity; throws UsageError if it is not there.
+inline constexpr double kStepsOfPeer = 208.0;
+void stressPeer(Stress& stress);
+
 }  // namespace pathmark::bench

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kOpening =
     R"(# How far pictures can be trusted
 
-`./pathmark bench stress --handout handouts/stress.md` makes this chapter anew, with the solutions;
+`./pathmark bench stress --peer cycles --handout handouts/stress.md` makes this chapter anew, with the solutions;
 `--quick` tries the same in a minute, and is among the tests. Everything runs in float; what is
 expected comes from closed forms and quadratures in long double, or from the same scene elsewhere.
 
@@ -27,6 +27,7 @@ expected comes from closed forms and quadratures in long double, or from the sam
   paths another way.
 * **Lights** and **materials**: relative errors of integrals over what the functions return.
 * **Input**: answers that are not finite, negative, no direction, or out of range.
+* **Blender**: the same similarity of Cycles, which gets the scenes where they are.
 * **Long runs**: the error of pixels whose value is known, over that of independent rays.
 
 )";
