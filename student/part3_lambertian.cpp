@@ -18,6 +18,10 @@ Colour lambertianBRDF::brdf(const Vector& /*wo*/, const Vector& /*wi*/, const Ve
 
 // Part 3.2 (handout section 3.2): the density of `reflection`, cos(theta) / pi.
 //
+//   wo       not needed by this BRDF
+//   wi       unit vector away from the surface, towards where light comes from
+//   n        unit normal of the front
+//
 // Returns the density per unit solid angle with which reflection(wo, n, ...) returns wi; 0 below
 // the surface.
 float lambertianBRDF::pdf(const Vector& /*wo*/, const Vector& /*wi*/, const Vector& /*n*/) const {

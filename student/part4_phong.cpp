@@ -25,6 +25,9 @@ Colour phongBRDF::brdf(const Vector& /*wo*/, const Vector& /*wi*/, const Vector&
 // The specular lobe may reach below the surface: there pdf is its density. It may be 0 there
 // instead, "no sample", if reflection returns the same 0.
 //
+//   wo, wi   unit vectors away from the surface
+//   n        unit normal of the front
+//
 // Returns the density per unit solid angle with which reflection(wo, n, ...) returns wi; 0 if
 // Kd = Ks = 0.
 float phongBRDF::pdf(const Vector& /*wo*/, const Vector& /*wi*/, const Vector& /*n*/) const {

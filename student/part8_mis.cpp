@@ -51,6 +51,9 @@ float solidAnglePdf(const Point& /*from*/, const LightSample& /*y*/) {
 // number maxBounces(): its second half needs one ray more than in part 5, and no light sample at
 // the ray's end. Everything else is as in part 5, the roulette too. (Veach & Guibas 1995)
 //
+//   ray       a camera ray
+//   sampler   all random numbers of the path: next1D(), next2D()
+//
 // Returns the radiance that comes back along the ray, with the same mean as tracePath.
 Colour LitScene::tracePathMIS(const Ray& /*ray*/, Sampler& /*sampler*/) const {
   PATHMARK_UNIMPLEMENTED("part8_mis.cpp", "LitScene::tracePathMIS");

@@ -30,7 +30,12 @@ LightSample Polygon::SphericalTriangleSampling(const Point& /*from*/, float /*s*
 }
 
 // Part 9.2 (handout section 9.2): the density per unit area with which SphericalTriangleSampling
-// returns the point p of the triangle.
+// returns a point of the triangle.
+//
+//   from   the point that is lit
+//   p      a point of the triangle, in world space
+//
+// Returns 0 if `from` is behind the triangle or in its plane.
 float Polygon::SphericalTrianglePdf(const Point& /*from*/, const Point& /*p*/) const {
   PATHMARK_UNIMPLEMENTED("part9_solid_angle.cpp", "Polygon::SphericalTrianglePdf");
   return 0.0f;
@@ -41,6 +46,12 @@ float Polygon::SphericalTrianglePdf(const Point& /*from*/, const Point& /*p*/) c
 //
 // Urena, Fajardo & King map the unit square to it without a seam. Two triangles, chosen by their
 // solid angles, are right as well.
+//
+//   from   the point that is lit
+//   s, t   uniform in [0,1)
+//
+// Returns the point, normal(), and the density per unit area; density 0 if `from` is behind the
+// rectangle or in its plane.
 LightSample Polygon::SphericalRectangleSampling(const Point& /*from*/, float /*s*/,
                                                 float /*t*/) const {
   PATHMARK_UNIMPLEMENTED("part9_solid_angle.cpp", "Polygon::SphericalRectangleSampling");
@@ -48,7 +59,12 @@ LightSample Polygon::SphericalRectangleSampling(const Point& /*from*/, float /*s
 }
 
 // Part 9.4 (handout section 9.4): the density per unit area with which SphericalRectangleSampling
-// returns the point p of the rectangle.
+// returns a point of the rectangle.
+//
+//   from   the point that is lit
+//   p      a point of the rectangle, in world space
+//
+// Returns 0 if `from` is behind the rectangle or in its plane.
 float Polygon::SphericalRectanglePdf(const Point& /*from*/, const Point& /*p*/) const {
   PATHMARK_UNIMPLEMENTED("part9_solid_angle.cpp", "Polygon::SphericalRectanglePdf");
   return 0.0f;
