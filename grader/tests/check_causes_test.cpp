@@ -55,7 +55,7 @@ TEST_F(CheckCauses, DirectLightWithoutBouncesIsFoundInBothPathTracers) {
   copy_.replace(kMis, "if (depth == maxBounces()) break;",
                 "if (depth > 0 && depth >= maxBounces()) break;");
   expectSaid("5.1/emission", "hit 1 gets direct light also where no bounce is allowed");
-  expectSaid("8.3/emission", "with maxBounces() = 0 nothing is scattered");
+  expectSaid("8.3/emission", "hit 1 gets direct light also where no bounce is allowed");
 }
 
 TEST_F(CheckCauses, ANumberOfTheDirectionUsedAgainIsFound) {
@@ -73,7 +73,7 @@ TEST_F(CheckCauses, TheLastRayOfPart8IsNotToldToEndAsThatOfPart5) {
   copy_.replace(kMis, "    const vec2 st = sampler.next2D();\n    const DirectionSample",
                 "    if (depth + 1 == maxBounces()) break;\n"
                 "    const vec2 st = sampler.next2D();\n    const DirectionSample");
-  expectSaid("8.3/furnace", "that of hit B may still find a light");
+  expectSaid("8.3/furnace", "the half of that hit's direct light that the next ray finds is lost");
 }
 
 TEST_F(CheckCauses, ExchangedDensitiesOfAWeightAreNotTakenForMissingLight) {
