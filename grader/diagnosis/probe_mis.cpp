@@ -102,6 +102,21 @@ void probeLights(const ProbeRun& run, Signature& signature) {
   }
 }
 
+// Of a matt surface nothing depends on wo.
+void probeMatt(const ProbeRun& run, Signature& signature) {
+  SceneBuilder builder;
+  builder.parallelogram({.emission = kEmission}, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2})
+      .parallelogram({.kd = Colour(0.8f)}, {-0.1f, 0, -0.1f}, {0, 0, 0.2f}, {0.2f, 0, 0});
+  run.worker.loadScene(builder.flat());
+  const Ray ray{{0.3f, 0.4f, 0}, normalize(Vector(-0.3f, -0.4f, 0))};
+  addPathMeans(run,
+               {{{{ray, 1}, "radiance over emission of a matt surface before one light"}},
+                {0, 2},
+                kEmission,
+                1024},
+               signature);
+}
+
 void probeLaterHits(const ProbeRun& run, Signature& signature) {
   Random random(84);
   const path::ConeInBox box(random);
@@ -180,6 +195,7 @@ Signature probePathMis(const ProbeRun& run) {
   Signature signature;
   probeFurnaces(run, signature);
   probeLights(run, signature);
+  probeMatt(run, signature);
   probeLaterHits(run, signature);
   probeNoise(run, signature);
   probeRoulette(run, signature);

@@ -89,7 +89,7 @@ void stressThreads(Stress& stress);
 void stressDegenerate(Stress& stress);
 
 // Another renderer's similarity; throws UsageError if it is not there.
-inline constexpr double kStepsOfPeer = 208.0;
+inline constexpr double kStepsOfPeer = 104.0;
 void stressPeer(Stress& stress);
 
 }  // namespace pathmark::bench

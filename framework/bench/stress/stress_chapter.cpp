@@ -27,7 +27,7 @@ expected comes from closed forms and quadratures in long double, or from the sam
   paths another way.
 * **Lights** and **materials**: relative errors of integrals over what the functions return.
 * **Input**: answers that are not finite, negative, no direction, or out of range.
-* **Blender**: the same similarity of Cycles, which gets the scenes where they are.
+* **Blender**: the same similarity of Cycles for the Cornell box, which it gets where it is.
 * **Long runs**: the error of pixels whose value is known, over that of independent rays.
 
 )";
