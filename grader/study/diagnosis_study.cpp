@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <fstream>
 #include <future>
 #include <iterator>
@@ -356,14 +357,35 @@ std::string DiagnosisReport::chapter() const {
   return text;
 }
 
+namespace {
+
+// Where each is one with this probability, there are more among `count` with less than 1e-3.
+std::size_t mostInSample(std::size_t count, double probability) {
+  constexpr double kFalseFails = 1e-3;
+  const auto n = static_cast<double>(count);
+  double term = std::pow(1.0 - probability, n), more = 1.0 - term;
+  std::size_t most = 0;
+  for (; more >= kFalseFails && most < count; ++most) {
+    const auto k = static_cast<double>(most);
+    term *= (n - k) / (k + 1.0) * probability / (1.0 - probability);
+    more -= term;
+  }
+  return most;
+}
+
+}  // namespace
+
 bool DiagnosisReport::asItMustBe() const {
   constexpr double kRight = 90.0, kWrong = 2.0;
   for (const auto* cases : {&single, &disguised}) {
-    const Counts known = count(*cases, &NamedCase::known),
-                 leftOut = count(*cases, &NamedCase::leftOut);
+    const Counts known = count(*cases, &NamedCase::known);
     if (known.share(known.right) < kRight || known.share(known.wrong) > kWrong) return false;
-    if (leftOut.share(leftOut.wrong) > kWrong) return false;
   }
+  // All mistakes, and a sample of the files in which they can stand.
+  const Counts all = count(single, &NamedCase::leftOut),
+               some = count(disguised, &NamedCase::leftOut);
+  if (all.share(all.wrong) > kWrong || some.wrong > mostInSample(some.all, 0.01 * kWrong))
+    return false;
   const Counts two = count(pairs, &NamedCase::known);
   return two.share(two.wrong) <= kWrong;
 }

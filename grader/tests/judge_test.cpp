@@ -34,6 +34,12 @@ JudgeOptions onlyPart(int part) {
 // What differs from run to run without meaning anything.
 std::string withoutTimes(record::SubmissionRecord record) {
   record.seconds = 0.0;
+  const auto clearPictures = [](std::vector<record::PictureRecord>& pictures) {
+    for (record::PictureRecord& picture : pictures)
+      picture.cpuSeconds = picture.cpuSecondsOfSolutions = 0.0;
+  };
+  clearPictures(record.pictures);
+  for (record::PartRecord& part : record.parts) clearPictures(part.pictures);
   const auto forget = [](std::vector<record::CheckRecord>& checks) {
     for (record::CheckRecord& check : checks) check.seconds = 0.0;
   };

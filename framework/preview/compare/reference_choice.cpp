@@ -28,8 +28,8 @@ std::string lightOf(const std::string& paths) {
 
 bool sameSize(const Image& a, const Image& b) { return a.width == b.width && a.height == b.height; }
 
-// Light that paths which sample the lights alone meet so rarely that pictures of any size lack it,
-// and their own variances do not tell. Shipped references are made by tracePathMIS.
+// Shipped references are made by tracePathMIS. Light that paths which sample lights alone hardly
+// ever meet is missing in their pictures, and in the variances of these too.
 std::string mirrorNote(const PreviewScene& scene) {
   constexpr float kNearlyAMirror = 1000.0f;
   float exponent = 0.0f;
@@ -37,9 +37,9 @@ std::string mirrorNote(const PreviewScene& scene) {
     if (material.kind == FlatMaterialKind::kPhong) exponent = std::max(exponent, material.exponent);
   if (exponent < kNearlyAMirror) return {};
   return fmt::format(
-      "Surfaces of the exponent {:g} are nearly mirrors: of the lights in them the reference has "
-      "all, and tracePath, which samples points on lights only, hardly any, however right it is. "
-      "Part 8 finds them.",
+      "Surfaces of the exponent {:g} are nearly mirrors: tracePath, which samples points on lights "
+      "only, meets some of the light in them so rarely that its own noise does not tell of it, "
+      "however right it is. The reference has that light, and part 8 finds it.",
       exponent);
 }
 
